@@ -1,0 +1,165 @@
+// What a draw looks like to the pipeline: canonical, immutable, trivially copyable, without GLenums or names.
+//
+// Canonical: two GL states that give the same picture give equal DrawStates. A disabled feature's fields hold their
+// initial values below; a light that can add nothing is absent; a scissor box that covers the target is the target.
+// The snapshot (api/snapshot) makes it; the planner, the stages and the oracle read it.
+//
+// Spaces: object -> eye -> clip -> (divide) -> window. Window space is GL's: y up, pixel (i, j) has its centre at
+// (i + 0.5, j + 0.5). Colours are RGBA, not clamped unless their name says so.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+#include <glm/glm.hpp>
+
+namespace gouraud::pipeline {
+
+inline constexpr int max_lights = 8;
+inline constexpr int max_clip_planes = 8;
+
+/// Primitive modes of Begin [GL1.5 §2.6.1].
+enum class PrimitiveMode : std::uint8_t {
+  points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan, quads, quad_strip, polygon
+};
+
+enum class CompareFunc : std::uint8_t { never, less, equal, lequal, greater, notequal, gequal, always };
+enum class PolygonMode : std::uint8_t { fill, line, point };
+enum class CullMode : std::uint8_t { none, front, back, front_and_back };
+enum class FrontFace : std::uint8_t { ccw, cw };
+enum class ShadeModel : std::uint8_t { smooth, flat };
+/// What happens to the length of an eye-space normal [GL1.5 §2.11.3].
+enum class NormalScaling : std::uint8_t { none, rescale, normalize };
+
+/// Matrices, column major as GL's, and the viewport [GL1.5 §2.11].
+struct TransformState {
+  glm::mat4 modelview{1.0f};
+  glm::mat4 projection{1.0f};
+  /// projection * modelview, in float, each element ((a0*b0 + a1*b1) + a2*b2) + a3*b3 (MESA-RULES 2.1).
+  glm::mat4 modelview_projection{1.0f};
+  /// Transposed inverse of the upper 3x3 of the modelview: takes normals to eye space. Identity if no stage needs normals.
+  glm::mat3 normal_matrix{1.0f};
+  NormalScaling normal_scaling = NormalScaling::none;
+  /// The factor f of RESCALE_NORMAL [GL1.5 §2.11.3]; 1 otherwise.
+  float rescale_factor = 1.0f;
+  bool operator==(const TransformState&) const = default;
+};
+
+/// glViewport and glDepthRange, and how window space lies in the framebuffer [GL1.5 §2.11.1].
+struct ViewportState {
+  std::int32_t x = 0, y = 0, width_px = 0, height_px = 0;
+  double depth_near = 0.0, depth_far = 1.0;  ///< in [0, 1]
+  /// Height of the target. Window y is computed from the top (MESA-RULES 2.3: y_raster = target_height - y_window)
+  /// before it is snapped, so that snapping rounds the same way as Mesa's.
+  std::int32_t target_height_px = 0;
+  bool operator==(const ViewportState&) const = default;
+};
+
+/// A material face [GL1.5 Table 2.11]. Alpha of the lit colour is diffuse alpha.
+struct Material {
+  glm::vec4 ambient{0.2f, 0.2f, 0.2f, 1.0f};
+  glm::vec4 diffuse{0.8f, 0.8f, 0.8f, 1.0f};
+  glm::vec4 specular{0.0f, 0.0f, 0.0f, 1.0f};
+  glm::vec4 emission{0.0f, 0.0f, 0.0f, 1.0f};
+  float shininess = 0.0f;  ///< in [0, 128]
+  bool operator==(const Material&) const = default;
+};
+struct MaterialPair {
+  Material front, back;
+  bool operator==(const MaterialPair&) const = default;
+};
+
+/// Material parameters that follow the vertex colour (ColorMaterial), as a set of bits, one set a face [GL1.5 §2.14.3].
+enum MaterialBits : std::uint8_t {
+  material_none = 0, material_ambient = 1, material_diffuse = 2, material_specular = 4, material_emission = 8
+};
+
+/// One enabled light that can contribute, ready for use in eye space [GL1.5 §2.14.1].
+struct PreparedLight {
+  glm::vec4 ambient{0.0f}, diffuse{0.0f}, specular{0.0f};
+  bool positional = false;
+  /// Positional: the light's eye position divided by its w. Directional: unit vector towards the light
+  /// (zero if the direction given was zero).
+  glm::vec3 position_eye{0.0f};
+  /// Attenuation 1 / (k0 + k1 d + k2 d^2); (1, 0, 0) means none. Always (1, 0, 0) for directional lights.
+  glm::vec3 attenuation{1.0f, 0.0f, 0.0f};
+  bool spot = false;  ///< cutoff is not 180
+  glm::vec3 spot_direction_eye{0.0f};  ///< unit vector; zero if not a spot
+  float spot_cutoff_cosine = -1.0f;
+  float spot_exponent = 0.0f;
+  bool operator==(const PreparedLight&) const = default;
+};
+
+/// [GL1.5 §2.14]. If !enabled everything else has its initial value and vertices keep their current colours.
+struct LightingState {
+  bool enabled = false;
+  bool two_sided = false;
+  bool local_viewer = false;
+  bool separate_specular = false;
+  std::uint8_t color_material_front = material_none, color_material_back = material_none;
+  std::uint8_t light_count = 0;
+  glm::vec4 scene_ambient{0.0f};  ///< light model ambient
+  std::array<PreparedLight, max_lights> lights{};  ///< the first light_count, in ascending GL light number
+  /// Material in force at the first vertex of a batch; VertexBatch::material_runs change it later. `back` equals
+  /// `front` unless two_sided. Parameters that follow the vertex colour hold initial values.
+  MaterialPair material{};
+  bool operator==(const LightingState&) const = default;
+};
+
+/// Assembly and facing [GL1.5 §2.14.1, §3.5.1, §3.5.4].
+struct AssemblyState {
+  ShadeModel shade_model = ShadeModel::smooth;
+  FrontFace front_face = FrontFace::ccw;
+  CullMode cull = CullMode::none;
+  PolygonMode polygon_mode_front = PolygonMode::fill, polygon_mode_back = PolygonMode::fill;
+  bool operator==(const AssemblyState&) const = default;
+};
+
+/// Pixels [x0, x1) x [y0, y1) of the target, y up.
+struct PixelRect {
+  std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool empty() const { return x0 >= x1 || y0 >= y1; }
+  bool operator==(const PixelRect&) const = default;
+};
+
+/// [GL1.5 §4.1.6]. Without a test there is no write either.
+struct DepthState {
+  bool test_enabled = false;
+  bool write_enabled = false;
+  CompareFunc func = CompareFunc::always;
+  bool operator==(const DepthState&) const = default;
+};
+
+/// Everything that fragments need after rasterization: small, interned, referred to by the bins until a flush.
+struct RasterState {
+  /// Where fragments may land: scissor box (if enabled) and target, intersected.
+  PixelRect scissor{};
+  DepthState depth{};
+  std::uint8_t color_write_mask = 0xF;  ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 if the target has no colour
+  bool operator==(const RasterState&) const = default;
+};
+static_assert(std::is_trivially_copyable_v<RasterState> && sizeof(RasterState) <= 512);
+
+struct DrawState {
+  TransformState transform{};
+  ViewportState viewport{};
+  LightingState lighting{};
+  AssemblyState assembly{};
+  RasterState raster{};
+  bool operator==(const DrawState&) const = default;
+};
+static_assert(std::is_trivially_copyable_v<DrawState>);
+
+/// glClear of the chosen buffers under scissor and masks [GL1.5 §4.2.3].
+struct ClearState {
+  bool color = false, depth = false, stencil = false;
+  PixelRect scissor{};
+  std::uint8_t color_write_mask = 0xF;
+  glm::vec4 clear_color{0.0f};  ///< clamped to [0, 1]
+  double clear_depth = 1.0;     ///< in [0, 1]
+  std::uint32_t clear_stencil = 0, stencil_write_mask = ~0u;
+  bool operator==(const ClearState&) const = default;
+};
+
+}  // namespace gouraud::pipeline

@@ -1,0 +1,48 @@
+// The plan of a draw: which vertex stages and which fragment passes its picture needs, and no others. Computed
+// backwards from what can reach the framebuffer (ARCHITECTURE §3).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/raster/fragment_block.h"
+
+namespace gouraud::pipeline {
+
+/// What a plan depends on besides the DrawState.
+struct TargetFormat {
+  ColorFormat color = ColorFormat::none;
+  DepthFormat depth = DepthFormat::none;
+  bool operator==(const TargetFormat&) const = default;
+};
+
+struct Plan {
+  /// False if no fragment of this draw can change the target (all writes masked, everything culled, empty scissor):
+  /// vertices need not even be kept.
+  bool draws = false;
+  /// VertexAttribute bits that the batch must hold besides positions.
+  std::uint32_t vertex_demand = 0;
+
+  // Vertex stages, in order.
+  bool eye_positions = false;
+  bool normals = false;
+  bool lighting = false;
+  bool vertex_colors = false;  ///< without lighting: clamp the current colours
+
+  // What is interpolated.
+  bool colors = false;
+  bool depth = false;
+
+  FragmentPasses fragment{};
+  bool operator==(const Plan&) const = default;
+};
+
+/// Pure and cheap (no allocation): called whenever the state changed.
+Plan make_plan(const DrawState& state, TargetFormat target);
+
+/// One line a stage, in order, each with its spec section: what GOURAUD_TRACE=plan prints.
+std::string describe(const Plan& plan, const DrawState& state, TargetFormat target);
+
+}  // namespace gouraud::pipeline

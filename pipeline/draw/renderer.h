@@ -1,0 +1,51 @@
+// The pipeline's front door: draws and clears go in, pixels of the target come out.
+//
+// Geometry runs at once, on the calling thread; its triangles, lines and points wait in tile bins. Tiles are rasterized
+// at finish(), or earlier when enough work is waiting. A Renderer belongs to one thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "pipeline/draw/draw_observer.h"
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/plan.h"
+#include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/geometry/vertex_batch.h"
+
+namespace gouraud::pipeline {
+
+class Renderer {
+ public:
+  /// `thread_count` >= 1 counts the calling thread: with 1 no thread is ever made.
+  explicit Renderer(int thread_count);
+  ~Renderer();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+
+  /// Draws into `target` from now on (null: nothing is drawn), after finishing what is pending for the old one.
+  /// `target` stays the caller's and must outlive its use here.
+  void set_target(Framebuffer* target);
+  Framebuffer* target() const;
+
+  /// Draws the batch's primitives. `plan` is make_plan(state, target format) and may be shared by draws of equal state.
+  void draw(const DrawState& state, const Plan& plan, const VertexBatch& batch);
+  void clear(const ClearState& state);
+
+  /// All that was drawn is in the target when this returns. Returns at once if nothing is pending.
+  void finish();
+  /// True if something was drawn or cleared since the last call of this function: the OSMesa copy-out asks.
+  bool take_dirty();
+
+  /// Null removes it. Not owned.
+  void set_observer(DrawObserver* observer);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// GOURAUD_THREADS if set (1..256), else the number of cores that this process may use.
+int default_thread_count();
+
+}  // namespace gouraud::pipeline

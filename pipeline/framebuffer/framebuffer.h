@@ -1,0 +1,90 @@
+// The render target: colour, depth and stencil in tiles.
+//
+// Pixels are stored by 64x64 tile, in a tile by 8x8 block, in a block by row; y up, tile (0, 0) at the bottom left. So
+// what a worker touches is contiguous: one tile of 8-bit colour is 16 KiB, one block of it 256 bytes, and a kernel's
+// 64 lanes are 64 neighbours in memory. The storage is padded to whole tiles; what lies outside the picture is never
+// read by an application.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+namespace gouraud::pipeline {
+
+inline constexpr int tile_size = 64;
+inline constexpr int block_size = 8;
+inline constexpr int pixels_per_tile = tile_size * tile_size;
+inline constexpr int pixels_per_block = block_size * block_size;
+inline constexpr int blocks_per_tile_row = tile_size / block_size;
+
+/// How a pixel's colour is stored. The bytes or words of a pixel are in the order R, G, B, A.
+enum class ColorFormat : std::uint8_t { none, rgba8, rgba16, rgba32f };
+
+/// How depth and stencil are stored; z24s8 holds depth in the low 24 bits of a 32-bit word and stencil in the top 8.
+/// z32f is one float a pixel, its stencil (if any) in `stencil8` apart.
+enum class DepthFormat : std::uint8_t { none, z16, z24s8, z32f };
+
+constexpr int bytes_per_pixel(ColorFormat format) {
+  switch (format) {
+    case ColorFormat::none: return 0;
+    case ColorFormat::rgba8: return 4;
+    case ColorFormat::rgba16: return 8;
+    case ColorFormat::rgba32f: return 16;
+  }
+  return 0;
+}
+constexpr int bytes_per_pixel(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::none: return 0;
+    case DepthFormat::z16: return 2;
+    case DepthFormat::z24s8:
+    case DepthFormat::z32f: return 4;
+  }
+  return 0;
+}
+
+/// One tiled plane of pixels, zero at first.
+class TiledBuffer {
+ public:
+  TiledBuffer() = default;
+  /// Allocates zeroed storage for width x height pixels of `bytes_per_pixel` bytes; throws std::bad_alloc.
+  TiledBuffer(int width_px, int height_px, int bytes_per_pixel);
+
+  std::byte* tile(int tile_index) const {
+    return data_.get() + static_cast<std::size_t>(tile_index) * pixels_per_tile * static_cast<std::size_t>(bytes_per_pixel_);
+  }
+  std::byte* pixel(int x, int y) const {
+    const int tile_index = (y / tile_size) * tiles_per_row_ + x / tile_size;
+    const int block = (y % tile_size / block_size) * blocks_per_tile_row + x % tile_size / block_size;
+    const int lane = (y % block_size) * block_size + x % block_size;
+    return tile(tile_index) + static_cast<std::size_t>((block * pixels_per_block + lane) * bytes_per_pixel_);
+  }
+  int bytes_per_pixel() const { return bytes_per_pixel_; }
+  bool empty() const { return data_ == nullptr; }
+
+ private:
+  struct Free {
+    void operator()(std::byte* data) const;
+  };
+  std::unique_ptr<std::byte[], Free> data_;
+  int tiles_per_row_ = 0;
+  int bytes_per_pixel_ = 0;
+};
+
+struct Framebuffer {
+  Framebuffer() = default;
+  /// A zeroed target of 1..16384 pixels a side; throws std::bad_alloc. `stencil_bits` is 0 or 8.
+  Framebuffer(int width_px, int height_px, ColorFormat color_format, DepthFormat depth_format, int stencil_bits);
+
+  int width_px = 0, height_px = 0;
+  int tiles_x = 0, tiles_y = 0;
+  ColorFormat color_format = ColorFormat::none;
+  DepthFormat depth_format = DepthFormat::none;
+  int stencil_bits = 0;
+  TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
+
+  int tile_count() const { return tiles_x * tiles_y; }
+};
+
+}  // namespace gouraud::pipeline

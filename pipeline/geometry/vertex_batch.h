@@ -1,0 +1,63 @@
+// The vertices of one or more consecutive Begin/End pairs that share a DrawState, as the application gave them:
+// structure of arrays, object space. Immediate mode fills it; the geometry stages read it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/draw/draw_state.h"
+
+namespace gouraud::pipeline {
+
+/// Vertices a batch can hold: a multiple of 12, so that runs of separate lines, triangles and quads fill it exactly.
+inline constexpr int batch_capacity = 1020;
+/// Length of an attribute array: the capacity, room for a kernel's last full vector, and a stride that is no
+/// multiple of 4096 bytes (arrays a page apart would all fall into the same cache sets).
+inline constexpr int batch_stride = 1040;
+
+template <int components>
+using VertexArray = std::array<std::array<float, batch_stride>, components>;
+
+/// Attributes that a draw can demand of each vertex besides its position (Plan::vertex_demand).
+enum VertexAttribute : std::uint32_t {
+  attribute_normal = 1u << 0,
+  attribute_color = 1u << 1,
+};
+
+/// A stretch of one primitive: vertices [first, first + count). A Begin/End too long for one batch comes as several
+/// ranges in successive batches. `begins`/`ends` tell whether the range holds the primitive's true start and end.
+/// A continued range repeats the vertices that assembly still needs:
+///   line_strip 1 (the last); triangle_strip, quad_strip 2 (the last two; batches are cut after an even number of
+///   vertices so that orientation is kept); triangle_fan, polygon 2 (the very first and the last);
+///   line_loop 2 (the very first and the last: no edge joins these two; the closing edge goes from the final vertex
+///   to the very first, drawn by the range that `ends`).
+/// Separate points, lines, triangles and quads repeat nothing and are cut between whole primitives.
+struct PrimitiveRange {
+  PrimitiveMode mode = PrimitiveMode::points;
+  bool begins = true, ends = true;
+  std::int32_t first = 0, count = 0;
+};
+
+/// From vertex `first` on, this material applies (glMaterial between vertices).
+struct MaterialRun {
+  std::int32_t first = 0;
+  MaterialPair material{};
+};
+
+struct VertexBatch {
+  std::int32_t count = 0;
+  alignas(64) VertexArray<4> position_object;  ///< x, y, z, w
+  alignas(64) VertexArray<3> normal_object;    ///< valid if attribute_normal is demanded
+  alignas(64) VertexArray<4> color;            ///< current colour, unclamped; valid if attribute_color is demanded
+  std::vector<PrimitiveRange> primitives;      ///< in drawing order
+  std::vector<MaterialRun> material_runs;      ///< ascending `first`; the DrawState's material applies before
+
+  void clear() {
+    count = 0;
+    primitives.clear();
+    material_runs.clear();
+  }
+};
+
+}  // namespace gouraud::pipeline
