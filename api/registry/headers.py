@@ -1,0 +1,167 @@
+"""Writes GL/gl.h, GL/glext.h and the conformance suite's table of function pointers."""
+
+PRELUDE = """\
+#ifndef __gl_h_
+#define __gl_h_
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#ifndef GLAPI
+#if defined(__GNUC__)
+#define GLAPI extern __attribute__((visibility("default")))
+#else
+#define GLAPI extern
+#endif
+#endif
+#ifndef GLAPIENTRY
+#define GLAPIENTRY
+#endif
+#ifndef GLAPIENTRYP
+#define GLAPIENTRYP GLAPIENTRY *
+#endif
+#ifndef APIENTRY
+#define APIENTRY GLAPIENTRY
+#endif
+#ifndef APIENTRYP
+#define APIENTRYP APIENTRY *
+#endif
+
+typedef unsigned int GLenum;
+typedef unsigned char GLboolean;
+typedef unsigned int GLbitfield;
+typedef void GLvoid;
+typedef signed char GLbyte;
+typedef unsigned char GLubyte;
+typedef short GLshort;
+typedef unsigned short GLushort;
+typedef int GLint;
+typedef unsigned int GLuint;
+typedef int GLsizei;
+typedef float GLfloat;
+typedef float GLclampf;
+typedef double GLdouble;
+typedef double GLclampd;
+typedef ptrdiff_t GLintptr;
+typedef ptrdiff_t GLsizeiptr;
+"""
+
+# Types that only extensions use, with the extension that brings them.
+EXTENSION_TYPES = {"GL_ARB_vertex_buffer_object": "typedef ptrdiff_t GLintptrARB;\ntypedef ptrdiff_t GLsizeiptrARB;\n"}
+
+POSTLUDE = """\
+#ifdef __cplusplus
+}
+#endif
+
+#include <GL/glext.h>
+
+#endif
+"""
+
+
+def gl_h(registry):
+    text = ["/* OpenGL 1.0-1.5 and the extensions of Gouraud, written by api/registry/generate.py from gl.xml. */\n", PRELUDE]
+    for section in registry.sections:
+        text.append(f"\n#ifndef {section.name}\n#define {section.name} 1\n")
+        text.append(EXTENSION_TYPES.get(section.name, ""))
+        text += [f"#define {name} {_literal(registry.enums[name].value)}\n" for name in section.enums]
+        for name in section.commands:
+            command = registry.signatures[name]
+            text.append(f"GLAPI {_spaced(command.returns)}GLAPIENTRY gl{name}({command.parameters()});\n")
+        text.append("#endif\n")
+    return "".join(text) + "\n" + POSTLUDE
+
+
+def glext_h(registry):
+    """The PFNGL...PROC types of everything since GL 1.2."""
+    text = ["/* Types of pointers to GL functions, written by api/registry/generate.py from gl.xml. */\n"
+            "#ifndef __gl_glext_h_\n#define __gl_glext_h_\n\n#include <GL/gl.h>\n\n"
+            "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n"]
+    for section in registry.sections:
+        if section.name not in ("GL_VERSION_1_0", "GL_VERSION_1_1"):
+            for name in section.commands:
+                command = registry.signatures[name]
+                pointer = f"(APIENTRYP PFNGL{name.upper()}PROC)"
+                text.append(f"typedef {_spaced(command.returns)}{pointer}({command.parameters()});\n")
+    return "".join(text) + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"
+
+
+def gl_table_h(registry):
+    core = "".join(_member(command.name, command) for command in registry.core)
+    extensions = "".join(_member(name, command) for name, command in registry.signatures.items()
+                         if name not in {command.name for command in registry.core})
+    return f"""\
+// The GL as a table of function pointers: what a conformance scene calls, whichever library is behind it.
+// Written by api/registry/generate.py from gl.xml.
+#pragma once
+
+#include <GL/gl.h>
+
+namespace gouraud {{
+
+/// Members bear the command's name without its prefix: `gl.Begin(GL_TRIANGLES)`.
+struct GlTable {{
+{core}
+  // Of the extensions; null where the library has none.
+{extensions}}};
+
+/// Fills `table` from `get_proc_address` ("glBegin" -> function, null if unknown). True if it found all {len(registry.core)}
+/// commands of GL 1.0-1.5; what it did not find is null.
+bool load(GlTable& table, void* (*get_proc_address)(const char*));
+
+}}  // namespace gouraud
+"""
+
+
+def gl_table_cpp(registry):
+    names = [command.name for command in registry.core]
+    names += [name for name in registry.signatures if name not in set(names)]
+    rows = "".join(f'    {{"gl{name}", offsetof(GlTable, {name})}},\n' for name in names)
+    return f"""\
+#include "gl_table.h"
+
+#include <cstddef>
+#include <cstring>
+
+namespace gouraud {{
+namespace {{
+
+struct Row {{
+  const char* name;
+  std::size_t offset;
+}};
+
+constexpr std::size_t core_commands = {len(registry.core)};
+constexpr Row rows[] = {{
+{rows}}};
+
+}}  // namespace
+
+bool load(GlTable& table, void* (*get_proc_address)(const char*)) {{
+  bool complete = true;
+  for (std::size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); ++i) {{
+    void* const function = get_proc_address(rows[i].name);
+    std::memcpy(reinterpret_cast<char*>(&table) + rows[i].offset, &function, sizeof(function));
+    complete = complete && (function != nullptr || i >= core_commands);
+  }}
+  return complete;
+}}
+
+}}  // namespace gouraud
+"""
+
+
+def _member(name, command):
+    return f"  {_spaced(command.returns)}(APIENTRYP {name})({command.parameters()}) = nullptr;\n"
+
+
+def _spaced(returns):
+    return returns if returns.endswith("*") else returns + " "
+
+
+def _literal(value):
+    return f"0x{value:04X}" if value > 1 else str(value)
