@@ -13,6 +13,15 @@ namespace gouraud::pipeline {
 /// Stored colour of one row, pixels [x, x + count), in the buffer's own format (bytes_per_pixel each).
 void read_color_row(const Framebuffer& target, int x, int y, int count, void* out);
 
+/// Stored colour of `rows` rows of `count` pixels, from (x, y) upwards, in the buffer's own format. Row i goes to
+/// out + i * row_stride_bytes; a negative stride turns the picture upside down. Block by block: the way to read much.
+void read_color_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
+                     std::ptrdiff_t row_stride_bytes);
+
+/// Stored depth of `rows` rows, as read_color_rows: 16-bit words, 32-bit words with the stencil in the top 8 bits, or floats.
+void read_depth_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
+                     std::ptrdiff_t row_stride_bytes);
+
 /// Colour of one row as float RGBA. Bytes give v * (1/255.0f), 16-bit words v * (1/65535.0f) (MESA-RULES 9).
 void read_color_row_float(const Framebuffer& target, int x, int y, int count, float* out_rgba);
 

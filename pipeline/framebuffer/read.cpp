@@ -1,0 +1,176 @@
+// Takes the tiled target, gives linear rows of it [GL1.5 §4.3.2].
+//
+// Eight pixels of a block row are neighbours in memory, so a row is a walk over runs of at most eight pixels, and many
+// rows are a walk over blocks. Everything a caller asks for is one of the two, with a conversion of a run.
+#include "pipeline/framebuffer/read.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+
+namespace gouraud::pipeline {
+namespace {
+
+// Calls visit(pointer to the run's first pixel, its length) for the runs of row y that make up [x, x + count).
+template <class Visit>
+void for_each_run(const TiledBuffer& buffer, int x, int y, int count, Visit visit) {
+  while (count > 0) {
+    const int length = std::min(count, block_size - x % block_size);
+    visit(buffer.pixel(x, y), length);
+    x += length;
+    count -= length;
+  }
+}
+
+// The same, with the run's pixels as values of type Stored, one after the other.
+template <class Stored, class Visit>
+void for_each_value(const TiledBuffer& buffer, int x, int y, int count, int values_per_pixel, Visit visit) {
+  for_each_run(buffer, x, y, count, [&](const std::byte* pixels, int length) {
+    Stored values[4 * block_size];
+    const int total = length * values_per_pixel;
+    std::memcpy(values, pixels, static_cast<std::size_t>(total) * sizeof(Stored));
+    for (int i = 0; i < total; ++i) visit(values[i]);
+  });
+}
+
+// A whole run has a size known at compile time and becomes a few vector moves.
+template <int bytes_per_pixel>
+void copy_block_row(std::byte* out, const std::byte* pixels, int length) {
+  if (length == block_size) {
+    std::memcpy(out, pixels, block_size * bytes_per_pixel);
+  } else {
+    std::memcpy(out, pixels, static_cast<std::size_t>(length) * bytes_per_pixel);
+  }
+}
+
+template <int bytes_per_pixel>
+void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std::byte* out, std::ptrdiff_t stride) {
+  while (rows > 0) {
+    const int band = std::min(rows, block_size - y % block_size);
+    std::byte* destination = out;
+    for_each_run(buffer, x, y, count, [&](const std::byte* pixels, int length) {
+      for (int row = 0; row < band; ++row) {
+        copy_block_row<bytes_per_pixel>(destination + row * stride, pixels + row * block_size * bytes_per_pixel, length);
+      }
+      destination += length * bytes_per_pixel;
+    });
+    out += band * stride;
+    y += band;
+    rows -= band;
+  }
+}
+
+void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std::byte* out, std::ptrdiff_t stride) {
+  switch (buffer.bytes_per_pixel()) {
+    case 2: return copy_rows<2>(buffer, x, y, count, rows, out, stride);
+    case 4: return copy_rows<4>(buffer, x, y, count, rows, out, stride);
+    case 8: return copy_rows<8>(buffer, x, y, count, rows, out, stride);
+    case 16: return copy_rows<16>(buffer, x, y, count, rows, out, stride);
+    default: break;
+  }
+}
+
+// Clamps to [0, 1] (NaN gives 0), multiplies by 255 and rounds to nearest even: adding 1.5 * 2^23 leaves the rounded
+// integer in the low bits of the float (MESA-RULES 4.2).
+std::uint8_t unorm8_of_float(float value) {
+  const float clamped = value > 0.0f ? (value < 1.0f ? value : 1.0f) : 0.0f;
+  const float shifted = clamped * 255.0f + 12582912.0f;
+  std::uint32_t bits;
+  std::memcpy(&bits, &shifted, sizeof bits);
+  return static_cast<std::uint8_t>(bits & 0xFFu);
+}
+
+// 65535 = 257 * 255, so a word's nearest byte is word / 257 to nearest; 257 is odd, there are no ties.
+std::uint8_t unorm8_of_unorm16(std::uint16_t value) { return static_cast<std::uint8_t>((value + 128u) / 257u); }
+
+}  // namespace
+
+void read_color_row(const Framebuffer& target, int x, int y, int count, void* out) {
+  read_color_rows(target, x, y, count, 1, static_cast<std::byte*>(out), 0);
+}
+
+void read_color_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
+                     std::ptrdiff_t row_stride_bytes) {
+  copy_rows(target.color, x, y, count, rows, out, row_stride_bytes);
+}
+
+void read_depth_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
+                     std::ptrdiff_t row_stride_bytes) {
+  copy_rows(target.depth, x, y, count, rows, out, row_stride_bytes);
+}
+
+void read_color_row_float(const Framebuffer& target, int x, int y, int count, float* out_rgba) {
+  switch (target.color_format) {
+    case ColorFormat::none:
+      std::fill_n(out_rgba, static_cast<std::size_t>(count) * 4, 0.0f);
+      break;
+    case ColorFormat::rgba8:
+      for_each_value<std::uint8_t>(target.color, x, y, count, 4, [&](std::uint8_t value) {
+        *out_rgba++ = static_cast<float>(value) * (1.0f / 255.0f);
+      });
+      break;
+    case ColorFormat::rgba16:
+      for_each_value<std::uint16_t>(target.color, x, y, count, 4, [&](std::uint16_t value) {
+        *out_rgba++ = static_cast<float>(value) * (1.0f / 65535.0f);
+      });
+      break;
+    case ColorFormat::rgba32f: read_color_row(target, x, y, count, out_rgba); break;
+  }
+}
+
+void read_color_row_unorm8(const Framebuffer& target, int x, int y, int count, std::uint8_t* out_rgba) {
+  switch (target.color_format) {
+    case ColorFormat::none: std::fill_n(out_rgba, static_cast<std::size_t>(count) * 4, std::uint8_t{0}); break;
+    case ColorFormat::rgba8: read_color_row(target, x, y, count, out_rgba); break;
+    case ColorFormat::rgba16:
+      for_each_value<std::uint16_t>(target.color, x, y, count, 4,
+                                    [&](std::uint16_t value) { *out_rgba++ = unorm8_of_unorm16(value); });
+      break;
+    case ColorFormat::rgba32f:
+      for_each_value<float>(target.color, x, y, count, 4, [&](float value) { *out_rgba++ = unorm8_of_float(value); });
+      break;
+  }
+}
+
+void read_depth_row(const Framebuffer& target, int x, int y, int count, std::uint32_t* out) {
+  assert(target.depth_format != DepthFormat::z32f);
+  switch (target.depth_format) {
+    case DepthFormat::z16:
+      for_each_value<std::uint16_t>(target.depth, x, y, count, 1, [&](std::uint16_t value) { *out++ = value; });
+      break;
+    case DepthFormat::z24s8:
+      for_each_value<std::uint32_t>(target.depth, x, y, count, 1, [&](std::uint32_t word) { *out++ = word & 0xFFFFFFu; });
+      break;
+    case DepthFormat::z32f:
+    case DepthFormat::none: std::fill_n(out, count, 0u); break;
+  }
+}
+
+void read_depth_row_float(const Framebuffer& target, int x, int y, int count, float* out) {
+  switch (target.depth_format) {
+    case DepthFormat::none: std::fill_n(out, count, 0.0f); break;
+    case DepthFormat::z16:
+      for_each_value<std::uint16_t>(target.depth, x, y, count, 1,
+                                    [&](std::uint16_t value) { *out++ = static_cast<float>(value) / 65535.0f; });
+      break;
+    case DepthFormat::z24s8:
+      for_each_value<std::uint32_t>(target.depth, x, y, count, 1, [&](std::uint32_t word) {
+        *out++ = static_cast<float>(word & 0xFFFFFFu) / 16777215.0f;
+      });
+      break;
+    case DepthFormat::z32f: read_depth_rows(target, x, y, count, 1, reinterpret_cast<std::byte*>(out), 0); break;
+  }
+}
+
+void read_stencil_row(const Framebuffer& target, int x, int y, int count, std::uint8_t* out) {
+  if (target.stencil_bits == 0) {
+    std::fill_n(out, count, std::uint8_t{0});
+  } else if (target.depth_format == DepthFormat::z24s8) {
+    for_each_value<std::uint32_t>(target.depth, x, y, count, 1,
+                                  [&](std::uint32_t word) { *out++ = static_cast<std::uint8_t>(word >> 24); });
+  } else {
+    for_each_value<std::uint8_t>(target.stencil, x, y, count, 1, [&](std::uint8_t value) { *out++ = value; });
+  }
+}
+
+}  // namespace gouraud::pipeline
