@@ -1,0 +1,109 @@
+// A GL context: its state, its error, its pending vertices, and the pipeline that draws into its target. One thread at
+// a time uses a context; each thread has at most one current context.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include <GL/gl.h>
+
+#include "api/context/immediate.h"
+#include "api/snapshot/snapshot.h"
+#include "api/state/state.h"
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/plan.h"
+#include "pipeline/draw/renderer.h"
+#include "pipeline/framebuffer/framebuffer.h"
+
+namespace gouraud::api {
+
+class Context;
+
+/// This thread's current context or null. Read it with current_context(), change it with make_current().
+extern constinit thread_local Context* current_context_pointer __attribute__((tls_model("initial-exec")));
+
+inline Context* current_context() { return current_context_pointer; }
+
+/// Makes `context` (or none, if null) current in this thread. A context that ceases to be current is released: what it
+/// drew is finished and copied out.
+void make_current(Context* context);
+
+struct ContextConfig {
+  int depth_bits = 24, stencil_bits = 8, accum_bits = 0;
+};
+
+/// The depth buffer that a request for so many bits gets; as Mesa, 16 bits with stencil become 24, but 32 bits are
+/// 32-bit floats (Mesa: 24).
+pipeline::DepthFormat depth_format(const ContextConfig& config);
+
+class Context {
+ public:
+  /// `share_with` is the context whose objects this one shares, or null; there are no shareable objects yet.
+  Context(const ContextConfig& config, Context* share_with);
+  /// Unbinds the context if it is current in this thread. Nothing is copied out.
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  bool inside_begin_end() const { return immediate.inside_begin_end; }
+
+  /// True while calls must be recorded or printed before (or instead of) being executed.
+  bool intercepting() const { return intercepting_; }
+  bool tracing_calls() const { return tracing_calls_; }
+  bool compiling() const { return false; }
+
+  /// Keeps `error` unless an earlier one waits for glGetError [GL1.5 §2.5]. `command` is the command's full name.
+  /// GOURAUD_TRACE=errors prints both texts on stderr; GOURAUD_ABORT_ON_ERROR=1 prints and aborts.
+  void record_error(GLenum error, const char* command, const char* message);
+  /// The error kept, GL_NO_ERROR if none; none is kept afterwards.
+  GLenum take_error();
+
+  /// Draws from now on into a target of this size and colour format, with depth and stencil as configured: a new one,
+  /// all zero, unless size and format are those of the old. The first one also sets viewport and scissor box.
+  /// False, and nothing is changed, if a side is outside 1..max_target_size_px or memory is short.
+  bool set_target_size(int width_px, int height_px, pipeline::ColorFormat color_format);
+  /// The target or null. Its pixels are complete only after finish_rendering().
+  pipeline::Framebuffer* target() { return target_.get(); }
+  const ContextConfig& config() const { return config_; }
+
+  /// The parts in `bits` (DirtyBits) of the state have changed. Pending vertices are not touched: they are drawn with
+  /// the DrawState that they were given under, when that next differs.
+  void change(std::uint32_t bits) { dirty_ |= bits; }
+
+  /// Gives pending vertices to the renderer. Everything that reads or writes the target calls it first.
+  void flush_vertices();
+  /// Draws all that is pending; the target is complete when this returns.
+  void finish_rendering();
+
+  /// Brings draw_state() and plan() up to date with the state, flushing pending vertices first if they differ.
+  void refresh();
+  const pipeline::DrawState& draw_state() const { return draw_state_; }
+  const pipeline::Plan& plan() const { return plan_; }
+  TargetInfo target_info() const;
+
+  pipeline::Renderer& renderer() { return renderer_; }
+
+  /// Writes the target to where the window system shows it. Called, after finish_rendering(), by glFlush, by glFinish
+  /// and when the context is released; may be empty.
+  std::function<void()> copy_out;
+
+  State state;
+  Immediate immediate;
+
+ private:
+  void trace_plan() const;
+
+  bool intercepting_ = false;
+  bool tracing_calls_ = false, tracing_errors_ = false, tracing_plans_ = false, aborting_on_error_ = false;
+  bool had_target_ = false;
+  std::uint32_t dirty_ = dirty_all;
+  GLenum error_ = GL_NO_ERROR;
+  ContextConfig config_;
+  pipeline::DrawState draw_state_{};
+  pipeline::Plan plan_{};
+  std::unique_ptr<pipeline::Framebuffer> target_;
+  pipeline::Renderer renderer_;
+};
+
+}  // namespace gouraud::api

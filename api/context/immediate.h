@@ -1,0 +1,24 @@
+// Immediate mode's pending vertices [GL1.5 §2.6]. Vertices of consecutive Begin/End pairs gather in one batch as long
+// as their DrawState stays the same.
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/geometry/vertex_batch.h"
+
+namespace gouraud::api {
+
+struct Immediate {
+  /// A vertex may be appended while batch.count < limit. 0 outside Begin/End and while nothing that is drawn can change
+  /// the target, so that the hot path needs one comparison.
+  std::int32_t limit = 0;
+  /// pipeline::VertexAttribute bits to keep besides the position.
+  std::uint32_t demand = 0;
+  bool inside_begin_end = false;
+  /// The material in force after the last vertex of the batch, as the pipeline knows it.
+  pipeline::MaterialPair material{};
+  pipeline::VertexBatch batch;
+};
+
+}  // namespace gouraud::api

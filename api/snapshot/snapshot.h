@@ -1,0 +1,42 @@
+// State -> pipeline::DrawState: the one bridge, the only place where a GLenum becomes a pipeline type. Takes the state
+// and the target's format, gives a canonical DrawState (pipeline/draw/draw_state.h says what canonical means).
+#pragma once
+
+#include <cstdint>
+
+#include "api/state/state.h"
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/plan.h"
+
+namespace gouraud::api {
+
+/// Parts of the DrawState that commands may have touched since it was last taken.
+enum DirtyBits : std::uint32_t {
+  dirty_transform = 1u << 0,  ///< modelview, projection, normal scaling
+  dirty_viewport = 1u << 1,
+  dirty_lighting = 1u << 2,  ///< lights, light model, ColorMaterial, shade model
+  dirty_material = 1u << 3,  ///< material parameters alone: these may change inside Begin/End
+  dirty_assembly = 1u << 4,
+  dirty_raster = 1u << 5,  ///< scissor, depth, masks
+  dirty_all = (1u << 6) - 1,
+};
+
+/// What the snapshot needs to know of the target; zero and none without one.
+struct TargetInfo {
+  std::int32_t width_px = 0, height_px = 0;
+  pipeline::TargetFormat format{};
+};
+
+/// Brings the parts of `draw_state` that `dirty` names up to date, and those that depend on them. Material parameters
+/// are left alone: see canonical_material.
+void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
+                       pipeline::DrawState& draw_state);
+
+/// The material pair as draws with `lighting` see it: initial values without lighting, back equal to front unless
+/// two-sided, parameters that follow the vertex colour or that no light can show at their initial values.
+pipeline::MaterialPair canonical_material(const State& state, const pipeline::LightingState& lighting);
+
+/// What glClear of the buffers in `mask` does under this state [GL1.5 §4.2.3].
+pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask);
+
+}  // namespace gouraud::api

@@ -1,0 +1,25 @@
+// Current values: what the next vertex gets [GL1.5 §2.7, Table 6.5].
+#pragma once
+
+#include <array>
+
+#include <glm/glm.hpp>
+
+#include "api/state/limits.h"
+
+namespace gouraud::api {
+
+/// Attribute group CURRENT_BIT.
+struct CurrentGroup {
+  glm::vec4 color{1.0f};  ///< unclamped
+  glm::vec3 normal_object{0.0f, 0.0f, 1.0f};
+  bool edge_flag = true;
+  float fog_coordinate = 0.0f;
+  float color_index = 1.0f;
+  glm::vec4 secondary_color{0.0f, 0.0f, 0.0f, 1.0f};  ///< unclamped; alpha is always 1
+  std::array<glm::vec4, max_texture_units> texture_coordinates{
+      glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1),
+      glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1)};
+};
+
+}  // namespace gouraud::api

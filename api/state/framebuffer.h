@@ -1,0 +1,40 @@
+// Per-fragment operations and the framebuffer [GL1.5 §4.1, §4.2, Tables 6.19 to 6.21].
+#pragma once
+
+#include <array>
+
+#include <GL/gl.h>
+#include <glm/glm.hpp>
+
+namespace gouraud::api {
+
+/// Attribute group SCISSOR_BIT. The context sets width and height when it gets its first target.
+struct ScissorGroup {
+  bool enabled = false;
+  GLint x = 0, y = 0;
+  GLsizei width_px = 0, height_px = 0;
+};
+
+/// Attribute group DEPTH_BUFFER_BIT.
+struct DepthGroup {
+  bool test_enabled = false;
+  bool write_enabled = true;
+  GLenum func = GL_LESS;
+  double clear_value = 1.0;  ///< in [0, 1]
+};
+
+/// Attribute group STENCIL_BUFFER_BIT: what glClear needs of it.
+struct StencilGroup {
+  GLuint write_mask = ~0u;
+  GLint clear_value = 0;
+};
+
+/// Attribute group COLOR_BUFFER_BIT.
+struct ColorBufferGroup {
+  std::array<bool, 4> write_enabled{true, true, true, true};  ///< R, G, B, A
+  glm::vec4 clear_color{0.0f};                                ///< in [0, 1]
+  /// choice: dithering never changes a value, whether enabled or not; Mesa's does neither [GL1.5 §4.1.9].
+  bool dither_enabled = true;
+};
+
+}  // namespace gouraud::api

@@ -1,0 +1,24 @@
+// Implementation limits: what the specification lets us choose [GL1.5 Tables 6.31 to 6.33]. Values as Mesa's, so that
+// programs meet what they are used to (MESA-RULES 10).
+#pragma once
+
+#include "pipeline/draw/draw_state.h"
+
+namespace gouraud::api {
+
+inline constexpr int max_lights = pipeline::max_lights;
+inline constexpr int max_clip_planes = pipeline::max_clip_planes;
+inline constexpr int max_texture_units = 8;
+inline constexpr int max_modelview_stack_depth = 32;
+inline constexpr int max_projection_stack_depth = 32;
+inline constexpr int max_texture_stack_depth = 10;
+/// The largest target and the largest viewport, in pixels a side.
+inline constexpr int max_target_size_px = 16384;
+/// choice: glViewport clamps x and y to these bounds, as Mesa does; the specification clamps only width and height.
+inline constexpr int min_viewport_origin = -32768, max_viewport_origin = 32767;
+inline constexpr float min_point_size = 1.0f, max_point_size = 255.0f;
+inline constexpr float min_line_width = 1.0f, max_line_width = 255.0f;
+inline constexpr float point_size_granularity = 0.1f, line_width_granularity = 0.1f;
+inline constexpr int subpixel_bits = 8;
+
+}  // namespace gouraud::api

@@ -1,0 +1,20 @@
+// How pixels lie in client memory [GL1.5 §3.6.1, Table 3.1, Tables 6.22 and 6.23].
+#pragma once
+
+#include <GL/gl.h>
+
+namespace gouraud::api {
+
+/// Part of client attribute group CLIENT_PIXEL_STORE_BIT: one for packing, one for unpacking.
+struct PixelStore {
+  bool swap_bytes = false;
+  bool lsb_first = false;
+  GLint row_length_px = 0;
+  GLint skip_rows = 0;
+  GLint skip_pixels = 0;
+  GLint alignment = 4;  ///< 1, 2, 4 or 8 bytes
+  GLint image_height_px = 0;
+  GLint skip_images = 0;
+};
+
+}  // namespace gouraud::api

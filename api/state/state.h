@@ -1,0 +1,51 @@
+// The state of a GL context in the specification's own shape: one assignable struct per attribute group, initial
+// values from the tables [GL1.5 §6.2]. Group names are those of PushAttrib's bits.
+#pragma once
+
+#include <GL/gl.h>
+
+#include "api/state/current.h"
+#include "api/state/framebuffer.h"
+#include "api/state/lighting.h"
+#include "api/state/limits.h"
+#include "api/state/pixel_store.h"
+#include "api/state/rasterization.h"
+#include "api/state/transform.h"
+
+namespace gouraud::api {
+
+/// Attribute group HINT_BIT [GL1.5 §5.6].
+struct HintGroup {
+  GLenum perspective_correction = GL_DONT_CARE;
+  GLenum point_smooth = GL_DONT_CARE;
+  GLenum line_smooth = GL_DONT_CARE;
+  GLenum polygon_smooth = GL_DONT_CARE;
+  GLenum fog = GL_DONT_CARE;
+  GLenum generate_mipmap = GL_DONT_CARE;
+  GLenum texture_compression = GL_DONT_CARE;
+};
+
+/// Part of attribute group TEXTURE_BIT.
+struct TextureGroup {
+  int active_unit = 0;  ///< in [0, max_texture_units)
+};
+
+struct State {
+  CurrentGroup current;
+  TransformGroup transform;
+  ViewportGroup viewport;
+  LightingGroup lighting;
+  PointGroup point;
+  LineGroup line;
+  PolygonGroup polygon;
+  ScissorGroup scissor;
+  DepthGroup depth;
+  StencilGroup stencil;
+  ColorBufferGroup color_buffer;
+  TextureGroup texture;
+  HintGroup hint;
+  MatrixStacks matrices;
+  PixelStore pack, unpack;
+};
+
+}  // namespace gouraud::api
