@@ -1,5 +1,5 @@
-// A grid of lit spheres. Each row turns one knob of the material from nothing (left) to full (right):
-// ambient, diffuse, specular, shininess, emission. Left and right move the light round, up and down raise and lower it.
+// A grid of lit spheres: each row turns one knob of the material, from nothing on the left to full on the right.
+// From the top: ambient, diffuse, specular, shininess, emission. The arrow keys move the light.
 #include <GL/gl.h>
 
 #include <cmath>

@@ -1,0 +1,68 @@
+# Shared by demos/run, conformance/run and .ci/run (bash; sourced, never run): Debian packages, steps and their logs.
+# The script that sources this sets `me`, its name in messages.
+# shellcheck shell=bash
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+logs=$root/build/log
+
+# The one list of Debian packages: what building takes, and what the tests take beside it.
+build_packages=(g++ cmake ninja-build python3 khronos-api libhwy-dev libglm-dev libglfw3-dev libx11-dev libxrandr-dev
+                libpng-dev)
+test_packages=(libgtest-dev libosmesa6 xvfb xdotool imagemagick)
+
+# fail MESSAGE: the one clear line that a failure ends with.
+fail() {
+  echo "$me: $1" >&2
+  exit "${2:-1}"
+}
+
+# step NAME COMMAND...: runs a command with its output in build/log/NAME.log; on failure shows the log's end and stops.
+step() {
+  local name=$1 log=$logs/$1.log
+  shift
+  mkdir -p "$logs"
+  if ! "$@" >"$log" 2>&1 </dev/null; then
+    tail -n 30 "$log" >&2
+    fail "step $name failed; its whole output is in $log"
+  fi
+}
+
+# missing_packages PACKAGES...: the ones that are not installed.
+missing_packages() {
+  local package
+  for package in "$@"; do
+    [[ $(dpkg-query --show --showformat='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || echo "$package"
+  done
+}
+
+# install_packages PACKAGES...: names the missing ones and installs them.
+install_packages() {
+  command -v dpkg-query >/dev/null || { echo "$me: no dpkg-query here; taking for granted: $*"; return; }
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages "$@")
+  ((${#missing[@]})) || return 0
+  echo "$me: installing the Debian packages ${missing[*]}"
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null || fail "these packages are missing and there is no sudo: ${missing[*]}"
+    sudo -v || fail "these packages are missing and sudo refuses: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  step package-lists "${as_root[@]}" apt-get update
+  step packages "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
+    "${missing[@]}"
+}
+
+# configure PRESET ARGUMENTS...: into build/PRESET.
+configure() {
+  echo "$me: configuring build/$1"
+  (cd "$root" && step "configure-$1" cmake --preset "$@") || exit
+}
+
+# build PRESET TARGETS...: everything where no target is named.
+build() {
+  local preset=$1 targets=()
+  shift
+  (($# == 0)) || targets=(--target "$@")
+  echo "$me: building ${*:-everything} in build/$preset"
+  (cd "$root" && step "build-$preset" cmake --build --preset "$preset" "${targets[@]}") || exit
+}
