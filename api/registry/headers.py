@@ -90,6 +90,14 @@ def glext_h(registry):
     return "".join(text) + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n"
 
 
+def extension_names_h(registry):
+    names = [section.name for section in registry.sections
+             if section.advertised and not section.name.startswith("GL_VERSION")]
+    return ("// Written by api/registry/generate.py from extensions.txt.\n#pragma once\n\nnamespace gouraud::api {\n\n"
+            "/// The value of GL_EXTENSIONS [GL1.5 §6.1.11].\n"
+            f'inline constexpr const char* extension_names = "{" ".join(names)}";\n\n}}  // namespace gouraud::api\n')
+
+
 def gl_table_h(registry):
     core = "".join(_member(command.name, command) for command in registry.core)
     extensions = "".join(_member(name, command) for name, command in registry.signatures.items()

@@ -40,12 +40,16 @@ class Command:
     source: str  # GL_VERSION_1_3 or an extension's name
     aliases: tuple[str, ...] = ()  # further names of the same command, listed by supported extensions
 
+    @property
+    def param_names(self):
+        return [param.name for param in self.params]
+
     def parameters(self, with_context=False):
         declared = ["Context& context"] * with_context + [param.declare() for param in self.params]
         return ", ".join(declared) or "void"
 
-    def arguments(self, with_context=False):
-        return ", ".join(["context"] * with_context + [param.name for param in self.params])
+    def arguments(self, context=None):
+        return ", ".join([context] * (context is not None) + self.param_names)
 
 
 @dataclass(frozen=True)
