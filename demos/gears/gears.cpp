@@ -14,8 +14,8 @@ struct Gear {
   float inner_radius, outer_radius, width;
   int teeth;
   float tooth_depth;
-  float x, y;                    // where the axle stands
-  float turns, phase_deg;        // turns for each turn of the red gear, and the offset that makes the teeth mesh
+  float x, y;              // where the axle stands
+  float turns, phase_deg;  // turns for each turn of the red gear, and the offset that makes the teeth mesh
   GLfloat color[4];
 };
 
@@ -34,7 +34,9 @@ struct Point {
   float x, y;
 };
 
-Point on_circle(float radius, float angle_rad) { return {radius * std::cos(angle_rad), radius * std::sin(angle_rad)}; }
+Point on_circle(float radius, float angle_rad) {
+  return {radius * std::cos(angle_rad), radius * std::sin(angle_rad)};
+}
 
 // The rim of a gear, counterclockwise and closed: for each tooth its foot, its tip on both sides, and its other foot.
 std::vector<Point> outline(const Gear& gear) {
@@ -125,7 +127,9 @@ void reshape(int width_px, int height_px) {
   glTranslatef(0, 0, -40);
 }
 
-void animate(double seconds) { angle_deg = static_cast<float>(std::fmod(degrees_per_second * seconds, 360.0)); }
+void animate(double seconds) {
+  angle_deg = static_cast<float>(std::fmod(degrees_per_second * seconds, 360.0));
+}
 
 void key(int key) {
   switch (key) {

@@ -18,7 +18,9 @@ struct Color {
   GLfloat rgba[4];
 };
 
-Color scaled(const Color& c, float s) { return {{c.rgba[0] * s, c.rgba[1] * s, c.rgba[2] * s, 1}}; }
+Color scaled(const Color& c, float s) {
+  return {{c.rgba[0] * s, c.rgba[1] * s, c.rgba[2] * s, 1}};
+}
 
 constexpr Color row_color[rows] = {{{0.85f, 0.30f, 0.25f, 1}},
                                    {{0.90f, 0.62f, 0.20f, 1}},
@@ -100,7 +102,9 @@ void reshape(int width_px, int height_px) {
   glLoadIdentity();
 }
 
-void animate(double seconds) { swing_deg = static_cast<float>(30 * std::sin(0.8 * seconds)); }
+void animate(double seconds) {
+  swing_deg = static_cast<float>(30 * std::sin(0.8 * seconds));
+}
 
 void key(int key) {
   switch (key) {

@@ -21,7 +21,9 @@ Canvas::Canvas(int width_px, int height_px)
   OSMesaPixelStore(OSMESA_Y_UP, 0);
 }
 
-Canvas::~Canvas() { OSMesaDestroyContext(context_); }
+Canvas::~Canvas() {
+  OSMesaDestroyContext(context_);
+}
 
 void Canvas::resize(int width_px, int height_px) {
   if (!pixels_.empty()) glFinish();

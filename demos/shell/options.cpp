@@ -147,7 +147,9 @@ std::optional<Options> parse_options(const std::vector<std::string>& arguments, 
   return options;
 }
 
-bool is_numbered(const std::string& out) { return find_placeholder(out).has_value(); }
+bool is_numbered(const std::string& out) {
+  return find_placeholder(out).has_value();
+}
 
 std::string frame_file(const std::string& out, int frame) {
   const auto place = find_placeholder(out);

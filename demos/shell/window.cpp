@@ -37,7 +37,9 @@ struct Events {
   int height_px = 0;
 };
 
-Events& events_of(GLFWwindow* window) { return *static_cast<Events*>(glfwGetWindowUserPointer(window)); }
+Events& events_of(GLFWwindow* window) {
+  return *static_cast<Events*>(glfwGetWindowUserPointer(window));
+}
 
 void press(Events& events, int key) {
   if (events.demo.key != nullptr) events.demo.key(key);
@@ -67,7 +69,9 @@ void on_size(GLFWwindow* window, int width_px, int height_px) {
   events.redraw = true;
 }
 
-void on_refresh(GLFWwindow* window) { events_of(window).redraw = true; }
+void on_refresh(GLFWwindow* window) {
+  events_of(window).redraw = true;
+}
 
 GLFWwindow* create_window(const Demo& demo, const Options& options) {
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);

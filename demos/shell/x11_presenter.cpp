@@ -27,7 +27,9 @@ X11Presenter::X11Presenter(void* display, unsigned long window) : display_(displ
   graphics_context_ = XCreateGC(xdisplay, window, 0, nullptr);
 }
 
-X11Presenter::~X11Presenter() { XFreeGC(static_cast<Display*>(display_), static_cast<GC>(graphics_context_)); }
+X11Presenter::~X11Presenter() {
+  XFreeGC(static_cast<Display*>(display_), static_cast<GC>(graphics_context_));
+}
 
 void X11Presenter::show(const std::vector<uint8_t>& pixels, int width_px, int height_px) {
   XImage image{};
@@ -48,8 +50,8 @@ void X11Presenter::show(const std::vector<uint8_t>& pixels, int width_px, int he
   XInitImage(&image);
 
   auto* const xdisplay = static_cast<Display*>(display_);
-  XPutImage(xdisplay, window_, static_cast<GC>(graphics_context_), &image, 0, 0, 0, 0,
-            static_cast<unsigned>(width_px), static_cast<unsigned>(height_px));
+  XPutImage(xdisplay, window_, static_cast<GC>(graphics_context_), &image, 0, 0, 0, 0, static_cast<unsigned>(width_px),
+            static_cast<unsigned>(height_px));
   XFlush(xdisplay);
 }
 

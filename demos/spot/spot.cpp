@@ -25,7 +25,9 @@ struct Vec3 {
 
 constexpr Vec3 spot_position = {0, 4.6f, 0};
 
-Vec3 spot_target() { return {2.6f * std::sin(0.7f * clock_s), 0, 0.2f + 1.7f * std::cos(0.9f * clock_s)}; }
+Vec3 spot_target() {
+  return {2.6f * std::sin(0.7f * clock_s), 0, 0.2f + 1.7f * std::cos(0.9f * clock_s)};
+}
 
 Vec3 lamp_position() {
   return {3.9f * std::cos(0.5f * clock_s + 3.3f), 0.9f, 3.9f * std::sin(0.5f * clock_s + 3.3f)};
@@ -151,7 +153,9 @@ void reshape(int width_px, int height_px) {
   glMatrixMode(GL_MODELVIEW);
 }
 
-void animate(double seconds) { clock_s = static_cast<float>(seconds); }
+void animate(double seconds) {
+  clock_s = static_cast<float>(seconds);
+}
 
 void key(int key) {
   switch (key) {

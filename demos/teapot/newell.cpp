@@ -11,9 +11,9 @@ struct ProfilePoint {
 
 // From the rim's inner edge over the rim and down the belly to the middle of the bottom: four cubic pieces.
 constexpr ProfilePoint body[] = {
-    {1.4f, 0.784f, 2.4f},  {1.3375f, 0.749f, 2.53125f}, {1.4375f, 0.805f, 2.53125f}, {1.5f, 0.84f, 2.4f},
-    {1.75f, 0.98f, 1.875f}, {2.0f, 1.12f, 1.35f},       {2.0f, 1.12f, 0.9f},         {2.0f, 1.12f, 0.45f},
-    {1.5f, 0.84f, 0.225f},  {1.5f, 0.84f, 0.15f},       {1.5f, 0.84f, 0.075f},       {1.425f, 0.798f, 0.0f},
+    {1.4f, 0.784f, 2.4f},   {1.3375f, 0.749f, 2.53125f}, {1.4375f, 0.805f, 2.53125f}, {1.5f, 0.84f, 2.4f},
+    {1.75f, 0.98f, 1.875f}, {2.0f, 1.12f, 1.35f},        {2.0f, 1.12f, 0.9f},         {2.0f, 1.12f, 0.45f},
+    {1.5f, 0.84f, 0.225f},  {1.5f, 0.84f, 0.15f},        {1.5f, 0.84f, 0.075f},       {1.425f, 0.798f, 0.0f},
     {0.0f, 0.0f, 0.0f},
 };
 
@@ -29,18 +29,20 @@ struct Section {
 };
 
 constexpr Section handle[] = {
-    {-1.6f, 2.025f, -1.5f, 2.25f, 0.3f},   {-2.3f, 2.025f, -2.5f, 2.25f, 0.3f}, {-2.7f, 2.025f, -3.0f, 2.25f, 0.3f},
-    {-2.7f, 1.8f, -3.0f, 1.8f, 0.3f},      {-2.7f, 1.575f, -3.0f, 1.35f, 0.3f}, {-2.5f, 1.125f, -2.65f, 0.9375f, 0.3f},
+    {-1.6f, 2.025f, -1.5f, 2.25f, 0.3f}, {-2.3f, 2.025f, -2.5f, 2.25f, 0.3f}, {-2.7f, 2.025f, -3.0f, 2.25f, 0.3f},
+    {-2.7f, 1.8f, -3.0f, 1.8f, 0.3f},    {-2.7f, 1.575f, -3.0f, 1.35f, 0.3f}, {-2.5f, 1.125f, -2.65f, 0.9375f, 0.3f},
     {-2.0f, 0.9f, -1.9f, 0.6f, 0.3f},
 };
 
 constexpr Section spout[] = {
-    {1.7f, 1.425f, 1.7f, 0.6f, 0.66f},    {2.6f, 1.425f, 3.1f, 0.825f, 0.66f},   {2.3f, 2.1f, 2.4f, 2.025f, 0.25f},
-    {2.7f, 2.4f, 3.3f, 2.4f, 0.25f},      {2.8f, 2.475f, 3.525f, 2.49375f, 0.25f}, {2.9f, 2.475f, 3.45f, 2.5125f, 0.15f},
+    {1.7f, 1.425f, 1.7f, 0.6f, 0.66f}, {2.6f, 1.425f, 3.1f, 0.825f, 0.66f},     {2.3f, 2.1f, 2.4f, 2.025f, 0.25f},
+    {2.7f, 2.4f, 3.3f, 2.4f, 0.25f},   {2.8f, 2.475f, 3.525f, 2.49375f, 0.25f}, {2.9f, 2.475f, 3.45f, 2.5125f, 0.15f},
     {2.8f, 2.4f, 3.2f, 2.4f, 0.15f},
 };
 
-Vec3 quarter_turn(const Vec3& v) { return {-v.y, v.x, v.z}; }
+Vec3 quarter_turn(const Vec3& v) {
+  return {-v.y, v.x, v.z};
+}
 
 // Turns one cubic piece of a profile, four points from `profile`, into four patches, one a quadrant.
 void turn(const ProfilePoint* profile, std::vector<Patch>& patches) {

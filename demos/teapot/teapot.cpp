@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "demos/shell/shell.h"
@@ -15,12 +16,18 @@ float turn_x_deg = 18.0f, turn_y_deg = -28.0f, spin_deg = 0.0f;
 int grid = 12;
 bool wire = false, flat = false;
 
-Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-Vec3 operator*(float s, const Vec3& v) { return {s * v.x, s * v.y, s * v.z}; }
+Vec3 operator+(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+Vec3 operator*(float s, const Vec3& v) {
+  return {s * v.x, s * v.y, s * v.z};
+}
 Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-float length(const Vec3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
+float length(const Vec3& v) {
+  return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
+}
 
 // The cubic Bernstein polynomials at t, and their derivatives.
 struct Weights {
@@ -74,7 +81,7 @@ constexpr GLfloat sun[] = {3, 7, 4, 0};  // y up, towards the light
 // A round table that fades into the background, and on it the teapot's shadow, laid flat by a projection along the
 // sun's rays. Both lie in one plane, so they are painted one over the other without a depth test.
 void draw_table_and_shadow() {
-  constexpr float pi = 3.14159265f, radius = 14;
+  constexpr float pi = std::numbers::pi_v<float>, radius = 14;
   constexpr int sides = 96;
   glDisable(GL_LIGHTING);
   glDisable(GL_DEPTH_TEST);
@@ -130,7 +137,9 @@ void reshape(int width_px, int height_px) {
   glMatrixMode(GL_MODELVIEW);
 }
 
-void animate(double seconds) { spin_deg = static_cast<float>(std::fmod(24.0 * seconds, 360.0)); }
+void animate(double seconds) {
+  spin_deg = static_cast<float>(std::fmod(24.0 * seconds, 360.0));
+}
 
 void key(int key) {
   switch (key) {
