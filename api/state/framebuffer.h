@@ -1,4 +1,4 @@
-// Per-fragment operations and the framebuffer [GL1.5 §4.1, §4.2, Tables 6.19 to 6.21].
+// Per-fragment operations and the framebuffer [GL1.5 §4.1, §4.2, Tables 6.19 and 6.20].
 #pragma once
 
 #include <array>

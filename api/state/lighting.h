@@ -1,4 +1,4 @@
-// Lights, light model and materials as the application gave them [GL1.5 §2.14, Tables 6.10 to 6.13].
+// Lights, light model and materials as the application gave them [GL1.5 §2.14, Tables 6.10 to 6.12].
 #pragma once
 
 #include <array>

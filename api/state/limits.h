@@ -1,4 +1,4 @@
-// Implementation limits: what the specification lets us choose [GL1.5 Tables 6.31 to 6.33]. Values as Mesa's, so that
+// Implementation limits: what the specification lets us choose [GL1.5 Tables 6.28 to 6.31]. Values as Mesa's, so that
 // programs meet what they are used to (MESA-RULES 10).
 #pragma once
 

@@ -1,4 +1,4 @@
-// How pixels lie in client memory [GL1.5 §3.6.1, Table 3.1, Tables 6.22 and 6.23].
+// How pixels lie in client memory [GL1.5 §3.6.1, Tables 3.1 and 6.21].
 #pragma once
 
 #include <GL/gl.h>

@@ -1,4 +1,4 @@
-// Points, lines and polygons [GL1.5 §3.3 to §3.5, Tables 6.14 and 6.15].
+// Points, lines and polygons [GL1.5 §3.3 to §3.5, Table 6.13].
 #pragma once
 
 #include <GL/gl.h>

@@ -1,4 +1,4 @@
-// Matrices, viewport and normal scaling [GL1.5 §2.11, Tables 6.8 and 6.9].
+// Matrices, viewport and normal scaling [GL1.5 §2.11, Table 6.9].
 #pragma once
 
 #include <array>
