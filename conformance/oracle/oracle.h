@@ -6,7 +6,7 @@
 //   they are part of the house's specification. Coverage is exact for these positions snapped to 1/256 pixel.
 // - Depth is the plane through a (clipped) triangle's unsnapped float window positions; colours are perspective-correct
 //   over the same positions, from vertex colours that are computed in double; a vertex that the clipper made gets its
-//   colour from the double intersection parameter. Values stay inside the range of the triangle's (line's) vertices.
+//   colour from the double intersection parameter. Values stay inside the range of the triangle's vertices.
 // PositionModel::exact replaces the float chain by double, and the grid of 1/256 pixel by one of 2^-30: the true picture,
 // from which both ours and Mesa's can be measured.
 #pragma once
@@ -35,20 +35,23 @@ struct OracleOptions {
 struct OraclePixel {
   std::array<double, 4> color{};               ///< RGBA in [0, 1], not quantised
   std::array<std::uint8_t, 4> color_unorm8{};  ///< as stored: round to nearest even of color * 255
-  double depth_units = 0.0;                    ///< ideal depth * (2^bits - 1), not quantised; 0 without a depth buffer
-  std::uint32_t depth_stored = 0;              ///< round to nearest even of depth_units
+  /// Bounds of what a conforming implementation may have computed before it quantised. Equal to `color`, except where
+  /// the pixel is extrapolated (PixelFlags).
+  std::array<float, 4> color_lowest{}, color_highest{};
+  double depth_units = 0.0;        ///< ideal depth * (2^bits - 1), not quantised; 0 without a depth buffer
+  std::uint32_t depth_stored = 0;  ///< round to nearest even of depth_units
   std::uint32_t depth_lowest = 0, depth_highest = 0;  ///< what a conforming implementation may have stored
-  std::int32_t fragments = 0;  ///< fragments of points, lines and polygons written since the pixel was last cleared
   bool operator==(const OraclePixel&) const = default;
 };
 
-/// Facts about a pixel, OR-ed over all fragments that met it since it was last cleared.
+/// Facts about a pixel, OR-ed over all fragments that met it since its colour was last cleared.
 enum PixelFlags : std::uint8_t {
   pixel_covered = 1,  ///< a fragment was made here (inside the scissor box), whether it passed the depth test or not
   /// A depth test hung on less than the legal error; `alternatives` holds the other outcomes if they differ.
   pixel_depth_ambiguous = 2,
-  /// A written fragment's sample lies outside its unsnapped triangle (snapping covered it): the value is the plane's,
-  /// clamped to the range of the vertices.
+  /// A fragment's sample lies outside its unsnapped triangle (snapping covered it), where no specification says what
+  /// its values are. Ours: the triangle's planes, kept inside the range of the vertices. Legal: any value that the
+  /// triangle has within the half sub-pixel by which snapping can have moved it.
   pixel_extrapolated = 4,
   /// More outcomes than `max_alternatives`: the picture's further outcomes were dropped.
   pixel_alternatives_lost = 8,
@@ -59,11 +62,16 @@ inline constexpr std::size_t max_alternatives = 7;
 /// Rows bottom-up, pixel (x, y) at index y * width_px + x.
 struct OraclePicture {
   int width_px = 0, height_px = 0;
-  int depth_bits = 0;                ///< 0 (no depth buffer), 16 or 24
-  std::vector<OraclePixel> pixels;   ///< ambiguous tests decided by the rounded ideal values
-  std::vector<std::uint8_t> flags;   ///< PixelFlags
+  int depth_bits = 0;               ///< 0 (no depth buffer), 16 or 24
+  std::vector<OraclePixel> pixels;  ///< ambiguous tests decided by the rounded ideal values
+  std::vector<std::uint8_t> flags;  ///< PixelFlags
+  /// Fragments that passed all tests since the pixel's colour was last cleared.
+  std::vector<std::int32_t> fragments_written;
   /// Other possible contents, by pixel index, none equal to another or to `pixels`.
   std::unordered_map<std::size_t, std::vector<OraclePixel>> alternatives;
+  /// Vertices lit on a knife's edge, where an error of 1e-6 switches a highlight or a spot light on or off (eq 2.2: n . VP
+  /// is all but 0; eq 2.5: on the rim of the cone). A scene with such vertices does not judge fairly.
+  std::int64_t knife_edge_vertices = 0;
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x);
@@ -74,14 +82,13 @@ struct OraclePicture {
 
 /// How far one pixel of another renderer is from the oracle's.
 struct PixelError {
-  double color = 0.0;  ///< largest |byte - 255 * ideal| over the four channels
-  double depth = 0.0;  ///< |integer - ideal units|; 0 without a depth buffer
+  double color = 0.0;  ///< largest distance of a byte from 255 * the ideal (the legal range, if extrapolated)
+  double depth = 0.0;  ///< distance of the integer from the ideal units (likewise); 0 without a depth buffer
   bool alternative = false;  ///< measured from an alternative, because that one is nearer
 };
 
-/// Measures a pixel from whichever of the oracle's possible outcomes is nearest (by colour, then depth; an outcome that
-/// is within 1/255 and 1 unit is taken before any that is not). `depth` is the stored integer; pass
-/// `compare_depth = false` if it is not known.
+/// Measures a pixel from whichever of the oracle's possible outcomes is nearest: an outcome that is within 1/255 and
+/// 1 unit is taken before any that is not. `depth` is the stored integer; pass `compare_depth = false` if unknown.
 PixelError measure(const OraclePicture& picture, int x, int y, const std::array<std::uint8_t, 4>& rgba_unorm8,
                    std::uint32_t depth, bool compare_depth = true);
 

@@ -1,0 +1,25 @@
+// Takes a range of vertices, gives its points, lines and triangles as vertex numbers [GL1.5 §2.6.1, §2.14.7 Table 2.12].
+// choice: quads and polygons are split as MESA-RULES 2.5 says: smooth filled quads along the diagonal 0-2, other quads
+// along 1-3, quad strips from their first to their last vertex, polygons as fans around the first vertex.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/geometry/vertex_batch.h"
+
+namespace gouraud::oracle {
+
+/// A point, line or triangle of 1, 2 or 3 batch vertices. `provoking` gives the colour of flat shading. Bit i of
+/// `boundary_edges`: the edge from vertex i to the next is an edge of the polygon that was specified.
+struct Primitive {
+  int vertex_count = 0;
+  std::array<int, 3> vertex{};
+  int provoking = 0;
+  unsigned boundary_edges = 7;
+};
+
+std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, const pipeline::AssemblyState& state);
+
+}  // namespace gouraud::oracle

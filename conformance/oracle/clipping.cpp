@@ -1,0 +1,150 @@
+#include "conformance/oracle/clipping.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gouraud::oracle {
+namespace {
+
+/// Distances to these planes are positive inside: w - x, w + x, w - y, w + y, w + z (near), w - z (far).
+constexpr int plane_count = 6;
+
+template <typename T>
+T distance(const std::array<T, 4>& p, int plane) {
+  switch (plane) {
+    case 0: return -p[0] + p[3];
+    case 1: return p[0] + p[3];
+    case 2: return -p[1] + p[3];
+    case 3: return p[1] + p[3];
+    case 4: return p[2] + p[3];
+    default: return -p[2] + p[3];
+  }
+}
+
+template <typename T>
+bool has_finite_position(const ClipVertex<T>& vertex) {
+  return std::ranges::all_of(vertex.position, [](T coordinate) { return std::isfinite(coordinate); });
+}
+
+Color mix(const Color& from, const Color& to, double t) {
+  Color out;
+  for (std::size_t i = 0; i < 4; ++i) out[i] = from[i] + t * (to[i] - from[i]);
+  return out;
+}
+
+/// from + t (to - from): positions by `t`, colours by `t_exact`.
+template <typename T>
+ClipVertex<T> mix(const ClipVertex<T>& from, const ClipVertex<T>& to, T t, double t_exact) {
+  ClipVertex<T> out;
+  for (std::size_t i = 0; i < 4; ++i) out.position[i] = from.position[i] + t * (to.position[i] - from.position[i]);
+  for (const Face face : {front, back}) {
+    out.colors.primary[face] = mix(from.colors.primary[face], to.colors.primary[face], t_exact);
+    out.colors.secondary[face] = mix(from.colors.secondary[face], to.colors.secondary[face], t_exact);
+  }
+  return out;
+}
+
+/// The distance as it is for the given coordinates, without rounding to T.
+template <typename T>
+double exact_distance(const ClipVertex<T>& vertex, int plane) {
+  Vector4 p;
+  std::ranges::copy(vertex.position, p.begin());
+  return distance(p, plane);
+}
+
+/// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer end (MESA-RULES 2.4).
+template <typename T>
+ClipVertex<T> intersect(const ClipVertex<T>& inside, const ClipVertex<T>& outside, int plane) {
+  const T d_inside = distance(inside.position, plane), d_outside = distance(outside.position, plane);
+  const double exact_inside = exact_distance(inside, plane), exact_outside = exact_distance(outside, plane);
+  if (-d_outside < d_inside) {
+    return mix(outside, inside, d_outside / (d_outside - d_inside), exact_outside / (exact_outside - exact_inside));
+  }
+  return mix(inside, outside, d_inside / (d_inside - d_outside), exact_inside / (exact_inside - exact_outside));
+}
+
+template <typename T>
+ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, int plane) {
+  // w - x may overflow where w and x do not.
+  const auto finite = [plane](const auto& vertex) { return std::isfinite(distance(vertex.position, plane)); };
+  if (!std::ranges::all_of(polygon.vertices, finite)) return {};
+
+  ClippedPolygon<T> out;
+  const auto add = [&out](const ClipVertex<T>& vertex, bool boundary) {
+    out.vertices.push_back(vertex);
+    out.boundary.push_back(boundary);
+  };
+  const std::size_t n = polygon.vertices.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const ClipVertex<T>& here = polygon.vertices[i];
+    const ClipVertex<T>& next = polygon.vertices[(i + 1) % n];
+    const bool here_inside = distance(here.position, plane) >= 0, next_inside = distance(next.position, plane) >= 0;
+    if (here_inside) add(here, polygon.boundary[i]);
+    // Leaving, the new edge runs along the plane; coming back, along the old edge.
+    if (here_inside && !next_inside) add(intersect(here, next, plane), true);
+    if (!here_inside && next_inside) add(intersect(next, here, plane), polygon.boundary[i]);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <typename T>
+ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges) {
+  if (!std::ranges::all_of(triangle, [](const auto& vertex) { return has_finite_position(vertex); })) return {};
+  ClippedPolygon<T> polygon;
+  polygon.vertices.assign(triangle.begin(), triangle.end());
+  for (unsigned i = 0; i < 3; ++i) polygon.boundary.push_back((boundary_edges >> i & 1) != 0);
+  for (int plane = 0; plane < plane_count; ++plane) {
+    const auto violates = [plane](const auto& vertex) { return distance(vertex.position, plane) < 0; };
+    if (std::ranges::any_of(triangle, violates)) polygon = clip_to_plane(polygon, plane);
+  }
+  if (polygon.vertices.size() < 3) return {};
+  return polygon;
+}
+
+template <typename T>
+std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line) {
+  const auto& [v0, v1] = line;
+  if (!has_finite_position(v0) || !has_finite_position(v1)) return {};
+  // How much is cut off at each end.
+  T t0 = 0, t1 = 0;
+  double t0_exact = 0, t1_exact = 0;
+  for (int plane = 0; plane < plane_count; ++plane) {
+    const T d0 = distance(v0.position, plane), d1 = distance(v1.position, plane);
+    if (d0 >= 0 && d1 >= 0) continue;
+    if ((d0 < 0 && d1 < 0) || !std::isfinite(d0) || !std::isfinite(d1)) return {};
+    const double exact0 = exact_distance(v0, plane), exact1 = exact_distance(v1, plane);
+    if (d0 < 0) {
+      t0 = std::max(t0, d0 / (d0 - d1));
+      t0_exact = std::max(t0_exact, exact0 / (exact0 - exact1));
+    }
+    if (d1 < 0) {
+      t1 = std::max(t1, d1 / (d1 - d0));
+      t1_exact = std::max(t1_exact, exact1 / (exact1 - exact0));
+    }
+  }
+  if (t0 + t1 >= 1) return {};
+  std::array<ClipVertex<T>, 2> out = line;
+  if (t0 > 0) out[0] = mix(v0, v1, t0, t0_exact);
+  if (t1 > 0) out[1] = mix(v1, v0, t1, t1_exact);
+  return out;
+}
+
+template <typename T>
+bool in_view_volume(const ClipVertex<T>& point) {
+  if (!has_finite_position(point)) return false;
+  for (int plane = 0; plane < plane_count; ++plane) {
+    if (distance(point.position, plane) < 0) return false;
+  }
+  return true;
+}
+
+template ClippedPolygon<float> clip_triangle(const std::array<ClipVertex<float>, 3>&, unsigned);
+template ClippedPolygon<double> clip_triangle(const std::array<ClipVertex<double>, 3>&, unsigned);
+template std::optional<std::array<ClipVertex<float>, 2>> clip_line(const std::array<ClipVertex<float>, 2>&);
+template std::optional<std::array<ClipVertex<double>, 2>> clip_line(const std::array<ClipVertex<double>, 2>&);
+template bool in_view_volume(const ClipVertex<float>&);
+template bool in_view_volume(const ClipVertex<double>&);
+
+}  // namespace gouraud::oracle

@@ -1,0 +1,34 @@
+// Takes clip-space vertices, gives what of a primitive lies in the view volume [GL1.5 §2.12, §2.14.8].
+// Positions are cut in T, in the order and from the end that MESA-RULES 2.4 prescribes; colours by the same intersection
+// computed in double. No user clip planes yet. A primitive with a coordinate, or with a distance to a plane it
+// crosses, that is not finite is dropped.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "conformance/oracle/vertex.h"
+
+namespace gouraud::oracle {
+
+/// A convex polygon; edge i runs from vertex i to the next. `boundary[i]`: it is drawn in polygon mode line.
+template <typename T>
+struct ClippedPolygon {
+  std::vector<ClipVertex<T>> vertices;
+  std::vector<bool> boundary;
+};
+
+/// The part of a triangle inside the view volume; no vertices if there is none. Bit i of `boundary_edges` stands for
+/// edge i. Edges along the view volume's faces are boundary edges [GL1.5 §2.12].
+template <typename T>
+ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges);
+
+template <typename T>
+std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line);
+
+/// A point is kept iff its position is in the volume.
+template <typename T>
+bool in_view_volume(const ClipVertex<T>& point);
+
+}  // namespace gouraud::oracle

@@ -1,0 +1,198 @@
+#include "conformance/oracle/fragments.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gouraud::oracle {
+namespace {
+
+using pipeline::CompareFunc;
+
+/// A depth as the buffer holds it: what is stored, and the range of what may have been stored.
+struct Depth {
+  double units = 0;
+  std::uint32_t stored = 0, lowest = 0, highest = 0;
+};
+
+/// Nearest integer, ties to even.
+std::uint32_t round_to_integer(double units) { return static_cast<std::uint32_t>(std::nearbyint(units)); }
+
+Depth to_buffer_units(const Fragment& fragment, int depth_bits) {
+  const double scale = depth_units_of(depth_bits);
+  const auto units = [scale](double z) { return std::clamp(z, 0.0, 1.0) * scale; };
+  const double ideal = units(fragment.depth);
+  return {ideal, round_to_integer(ideal), round_to_integer(units(fragment.depth_lowest)),
+          round_to_integer(units(fragment.depth_highest))};
+}
+
+bool passes(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
+  switch (func) {
+    case CompareFunc::never: return false;
+    case CompareFunc::less: return incoming < stored;
+    case CompareFunc::equal: return incoming == stored;
+    case CompareFunc::lequal: return incoming <= stored;
+    case CompareFunc::greater: return incoming > stored;
+    case CompareFunc::notequal: return incoming != stored;
+    case CompareFunc::gequal: return incoming >= stored;
+    case CompareFunc::always: break;
+  }
+  return true;
+}
+
+/// Whether another outcome than that of the stored values is possible within the legal ranges.
+bool is_ambiguous(CompareFunc func, const Depth& incoming, const OraclePixel& pixel) {
+  if (incoming.units == pixel.depth_units) return false;
+  switch (func) {
+    case CompareFunc::never:
+    case CompareFunc::always: return false;
+    case CompareFunc::less:
+    case CompareFunc::gequal: return incoming.lowest < pixel.depth_highest && incoming.highest >= pixel.depth_lowest;
+    case CompareFunc::lequal:
+    case CompareFunc::greater: return incoming.lowest <= pixel.depth_highest && incoming.highest > pixel.depth_lowest;
+    case CompareFunc::equal:
+    case CompareFunc::notequal: break;
+  }
+  const bool can_be_equal = incoming.lowest <= pixel.depth_highest && incoming.highest >= pixel.depth_lowest;
+  const bool must_be_equal = incoming.lowest == incoming.highest && pixel.depth_lowest == pixel.depth_highest;
+  return can_be_equal && !must_be_equal;
+}
+
+OraclePixel written(OraclePixel pixel, const pipeline::RasterState& state, const Fragment& fragment, const Depth& depth) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    if ((state.color_write_mask >> i & 1) == 0) continue;
+    pixel.color[i] = std::clamp(fragment.color[i], 0.0, 1.0);
+    pixel.color_unorm8[i] = static_cast<std::uint8_t>(std::nearbyint(pixel.color[i] * 255.0));
+    pixel.color_lowest[i] = static_cast<float>(std::clamp(fragment.color_lowest[i], 0.0, 1.0));
+    pixel.color_highest[i] = static_cast<float>(std::clamp(fragment.color_highest[i], 0.0, 1.0));
+  }
+  if (state.depth.test_enabled && state.depth.write_enabled) {
+    pixel.depth_units = depth.units;
+    pixel.depth_stored = depth.stored;
+    pixel.depth_lowest = depth.lowest;
+    pixel.depth_highest = depth.highest;
+  }
+  return pixel;
+}
+
+/// Keeps `outcomes` (the first is the one by stored values) as the pixel's possible contents.
+void store(OraclePicture& picture, std::size_t index, const std::vector<OraclePixel>& outcomes) {
+  picture.pixels[index] = outcomes.front();
+  std::vector<OraclePixel> others;
+  for (const OraclePixel& outcome : outcomes) {
+    if (outcome == outcomes.front() || std::ranges::find(others, outcome) != others.end()) continue;
+    if (others.size() == max_alternatives) {
+      picture.flags[index] |= pixel_alternatives_lost;
+      break;
+    }
+    others.push_back(outcome);
+  }
+  if (others.empty()) {
+    picture.alternatives.erase(index);
+  } else {
+    picture.alternatives[index] = std::move(others);
+  }
+}
+
+/// All contents that the pixel may have.
+std::vector<OraclePixel> possible_contents(const OraclePicture& picture, std::size_t index) {
+  std::vector<OraclePixel> out{picture.pixels[index]};
+  if (const auto found = picture.alternatives.find(index); found != picture.alternatives.end()) {
+    out.insert(out.end(), found->second.begin(), found->second.end());
+  }
+  return out;
+}
+
+/// Clears one possible content of a pixel.
+void clear_pixel(OraclePixel& pixel, const pipeline::ClearState& state, double depth_units) {
+  for (std::size_t i = 0; state.color && i < 4; ++i) {
+    if ((state.color_write_mask >> i & 1) == 0) continue;
+    pixel.color[i] = static_cast<double>(state.clear_color[static_cast<int>(i)]);
+    pixel.color_unorm8[i] = static_cast<std::uint8_t>(std::nearbyint(pixel.color[i] * 255.0));
+    pixel.color_lowest[i] = pixel.color_highest[i] = static_cast<float>(pixel.color[i]);
+  }
+  if (state.depth) {
+    pixel.depth_units = depth_units;
+    pixel.depth_stored = pixel.depth_lowest = pixel.depth_highest = round_to_integer(depth_units);
+  }
+}
+
+}  // namespace
+
+double depth_units_of(int depth_bits) { return std::ldexp(1.0, depth_bits) - 1.0; }
+
+OraclePicture make_picture(int width_px, int height_px, int depth_bits) {
+  OraclePicture picture;
+  picture.width_px = width_px;
+  picture.height_px = height_px;
+  picture.depth_bits = depth_bits;
+  const std::size_t size = static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px);
+  picture.pixels.resize(size);
+  picture.flags.resize(size);
+  picture.fragments_written.resize(size);
+  return picture;
+}
+
+void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& fragment) {
+  const pipeline::PixelRect& box = state.scissor;
+  if (fragment.x < box.x0 || fragment.x >= box.x1 || fragment.y < box.y0 || fragment.y >= box.y1) return;
+  if (fragment.x < 0 || fragment.x >= picture.width_px || fragment.y < 0 || fragment.y >= picture.height_px) return;
+  const std::size_t index = picture.index(fragment.x, fragment.y);
+  picture.flags[index] |= pixel_covered;
+  if (fragment.extrapolated) picture.flags[index] |= pixel_extrapolated;
+
+  const bool tested = state.depth.test_enabled && picture.depth_bits > 0;
+  const Depth depth = to_buffer_units(fragment, picture.depth_bits);
+  const auto passes_on = [&](const OraclePixel& pixel) {
+    return !tested || passes(state.depth.func, depth.stored, pixel.depth_stored);
+  };
+  OraclePixel& pixel = picture.pixels[index];
+  const bool passed = passes_on(pixel);
+  if (passed) ++picture.fragments_written[index];
+
+  // The usual case: one content, one outcome.
+  const bool only_one = picture.alternatives.empty() || !picture.alternatives.contains(index);
+  if (only_one && !(tested && is_ambiguous(state.depth.func, depth, pixel))) {
+    if (passed) pixel = written(pixel, state, fragment, depth);
+    return;
+  }
+
+  // The outcomes by stored values first, so that `max_alternatives` cuts off the less likely ones.
+  std::vector<OraclePixel> outcomes, less_likely;
+  for (const OraclePixel& content : possible_contents(picture, index)) {
+    const OraclePixel after = written(content, state, fragment, depth);
+    const bool likely_pass = passes_on(content);
+    outcomes.push_back(likely_pass ? after : content);
+    if (tested && is_ambiguous(state.depth.func, depth, content)) {
+      picture.flags[index] |= pixel_depth_ambiguous;
+      less_likely.push_back(likely_pass ? content : after);
+    }
+  }
+  outcomes.insert(outcomes.end(), less_likely.begin(), less_likely.end());
+  store(picture, index, outcomes);
+}
+
+void clear_picture(OraclePicture& picture, const pipeline::ClearState& state) {
+  const double depth_units = state.clear_depth * depth_units_of(picture.depth_bits);
+  const pipeline::PixelRect& box = state.scissor;
+  const int x0 = std::max(box.x0, 0), x1 = std::min(box.x1, picture.width_px);
+  const int y0 = std::max(box.y0, 0), y1 = std::min(box.y1, picture.height_px);
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      const std::size_t index = picture.index(x, y);
+      if (picture.alternatives.contains(index)) {
+        std::vector<OraclePixel> contents = possible_contents(picture, index);
+        for (OraclePixel& pixel : contents) clear_pixel(pixel, state, depth_units);
+        store(picture, index, contents);
+      } else {
+        clear_pixel(picture.pixels[index], state, depth_units);
+      }
+      if (state.color && state.color_write_mask == 0xF) {
+        picture.flags[index] = picture.alternatives.contains(index) ? pixel_depth_ambiguous : 0;
+        picture.fragments_written[index] = 0;
+      }
+    }
+  }
+}
+
+}  // namespace gouraud::oracle

@@ -1,0 +1,33 @@
+// Takes fragments and clears, gives the picture [GL1.5 §4.1.2, §4.1.6, §4.2.2, §4.2.3].
+// Keeps beside every ideal value the stored integer, because later tests work on stored values. Where a depth test hangs
+// on less than the legal error (OracleOptions::depth_slack_units), both outcomes are kept as possible contents of the
+// pixel; fragments of exactly the same ideal depth are equal, as repeated drawing must be [GL1.5 App. A].
+#pragma once
+
+#include "conformance/oracle/oracle.h"
+#include "conformance/oracle/vertex.h"
+
+namespace gouraud::oracle {
+
+/// A fragment of pixel (x, y). Colours need no clamping; the bounds equal the values unless `extrapolated`.
+struct Fragment {
+  int x = 0, y = 0;
+  Color color{}, color_lowest{}, color_highest{};
+  double depth = 0;  ///< window z
+  /// Window z that a conforming implementation may have computed: at most the slack away, within the vertices' range.
+  double depth_lowest = 0, depth_highest = 0;
+  bool extrapolated = false;
+};
+
+/// The largest depth that a buffer of so many bits can hold; 0 for no buffer.
+double depth_units_of(int depth_bits);
+
+/// A new picture: everything zero.
+OraclePicture make_picture(int width_px, int height_px, int depth_bits);
+
+/// Scissor, depth test, masks and write.
+void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& fragment);
+
+void clear_picture(OraclePicture& picture, const pipeline::ClearState& state);
+
+}  // namespace gouraud::oracle

@@ -1,0 +1,217 @@
+// The way of a draw through the oracle's stages, and the measure of other pictures.
+#include "conformance/oracle/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/oracle/assembly.h"
+#include "conformance/oracle/clipping.h"
+#include "conformance/oracle/fragments.h"
+#include "conformance/oracle/lighting.h"
+#include "conformance/oracle/positions.h"
+#include "conformance/oracle/rasterize.h"
+
+namespace gouraud::oracle {
+namespace {
+
+using pipeline::CullMode;
+using pipeline::PolygonMode;
+
+/// Draws the primitives of one batch; positions in T.
+template <typename T>
+class Draw {
+ public:
+  Draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
+       OraclePicture& picture)
+      : state_(state) {
+    sink_.picture = &picture;
+    sink_.state = state.raster;
+    sink_.subpixel_bits = subpixel_bits<T>;
+    sink_.has_secondary = state.lighting.enabled && state.lighting.separate_specular;
+    if (picture.depth_bits > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(picture.depth_bits);
+
+    const auto matrix = combined_matrix<T>(state.transform);
+    Lighting lighting(state, batch);
+    for (int i = 0; i < batch.count; ++i) {
+      std::array<float, 4> position;
+      for (std::size_t k = 0; k < 4; ++k) position[k] = batch.position_object[k][static_cast<std::size_t>(i)];
+      vertices_.push_back({to_clip_space<T>(matrix, position), lighting.shade(i)});
+    }
+    picture.knife_edge_vertices += lighting.knife_edges();
+  }
+
+  void draw(const Primitive& primitive) {
+    const bool flat = state_.assembly.shade_model == pipeline::ShadeModel::flat;
+    sink_.flat_colors = flat ? &vertex(primitive.provoking).colors : nullptr;
+    sink_.face = front;
+    switch (primitive.vertex_count) {
+      case 1: draw_point(primitive); break;
+      case 2: draw_line({vertex(primitive.vertex[0]), vertex(primitive.vertex[1])}); break;
+      default: draw_triangle(primitive);
+    }
+  }
+
+ private:
+  const ClipVertex<T>& vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
+
+  void draw_point(const Primitive& primitive) {
+    const ClipVertex<T>& point = vertex(primitive.vertex[0]);
+    if (!in_view_volume(point)) return;
+    if (const auto window = to_window_space(point, state_.viewport)) rasterize_point(sink_, *window);
+  }
+
+  void draw_line(const std::array<ClipVertex<T>, 2>& line) {
+    const auto clipped = clip_line(line);
+    if (!clipped) return;
+    const auto a = to_window_space((*clipped)[0], state_.viewport), b = to_window_space((*clipped)[1], state_.viewport);
+    if (a && b) rasterize_line(sink_, {*a, *b});
+  }
+
+  void draw_triangle(const Primitive& primitive) {
+    const ClippedPolygon<T> clipped = clip_triangle<T>(
+        {vertex(primitive.vertex[0]), vertex(primitive.vertex[1]), vertex(primitive.vertex[2])}, primitive.boundary_edges);
+    std::vector<WindowVertex> polygon;
+    for (const ClipVertex<T>& corner : clipped.vertices) {
+      const auto window = to_window_space(corner, state_.viewport);
+      if (!window) return;
+      polygon.push_back(*window);
+    }
+    if (polygon.size() < 3) return;
+    const pipeline::AssemblyState& assembly = state_.assembly;
+    if (assembly.polygon_mode_front == PolygonMode::fill && assembly.polygon_mode_back == PolygonMode::fill) {
+      fill(polygon, [](const auto& t) { return sign(doubled_area(t[0].snapped, t[1].snapped, t[2].snapped)); });
+      return;
+    }
+
+    // Lines and points: facing by the area of the whole polygon, unsnapped [GL1.5 §2.14.1 eq 2.6].
+    const int area_sign = sign(unsnapped_area(polygon));
+    if (!select_face(area_sign)) return;
+    switch (sink_.face == front ? assembly.polygon_mode_front : assembly.polygon_mode_back) {
+      case PolygonMode::fill: fill(polygon, [area_sign](const auto&) { return area_sign; }); break;
+      case PolygonMode::line: outline(polygon, clipped.boundary); break;
+      case PolygonMode::point:
+        for (std::size_t i = 0; i < polygon.size(); ++i) {
+          if (clipped.boundary[i]) rasterize_point(sink_, polygon[i]);
+        }
+    }
+  }
+
+  template <typename Number>
+  static int sign(Number area) {
+    return area > 0 ? 1 : area < 0 ? -1 : 0;
+  }
+
+  static double unsnapped_area(const std::vector<WindowVertex>& polygon) {
+    double area = 0;
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const WindowVertex &o = polygon[0], &a = polygon[i - 1], &b = polygon[i];
+      area += (a.x - o.x) * (b.y - o.y) - (b.x - o.x) * (a.y - o.y);
+    }
+    return area;
+  }
+
+  /// Sets the face that a polygon of this area shows; false if it is culled [GL1.5 §2.14.1, §3.5.1].
+  bool select_face(int area_sign) {
+    const bool ccw_is_front = state_.assembly.front_face == pipeline::FrontFace::ccw;
+    sink_.face = (ccw_is_front ? area_sign > 0 : area_sign < 0) ? front : back;
+    switch (state_.assembly.cull) {
+      case CullMode::none: return true;
+      case CullMode::front: return sink_.face != front;
+      case CullMode::back: return sink_.face != back;
+      case CullMode::front_and_back: break;
+    }
+    return false;
+  }
+
+  /// As a fan of triangles (i - 1, i, 0), as the clipper's rules say (MESA-RULES 2.4).
+  template <typename AreaSign>
+  void fill(const std::vector<WindowVertex>& polygon, AreaSign area_sign) {
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+      const std::array<WindowVertex, 3> triangle{polygon[i - 1], polygon[i], polygon[0]};
+      if (select_face(area_sign(triangle))) rasterize_triangle(sink_, triangle);
+    }
+  }
+
+  void outline(const std::vector<WindowVertex>& polygon, const std::vector<bool>& boundary) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      if (boundary[i]) rasterize_line(sink_, {polygon[i], polygon[(i + 1) % polygon.size()]});
+    }
+  }
+
+  const pipeline::DrawState& state_;
+  FragmentSink sink_;
+  std::vector<ClipVertex<T>> vertices_;
+};
+
+template <typename T>
+void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
+                OraclePicture& picture) {
+  Draw<T> draw(state, batch, options, picture);
+  for (const pipeline::PrimitiveRange& range : batch.primitives) {
+    for (const Primitive& primitive : assemble(range, state.assembly)) draw.draw(primitive);
+  }
+}
+
+double distance_to_range(double value, double lowest, double highest) {
+  return std::max({lowest - value, value - highest, 0.0});
+}
+
+PixelError measure_content(const OraclePixel& pixel, bool extrapolated, const std::array<std::uint8_t, 4>& rgba_unorm8,
+                           std::uint32_t depth, bool compare_depth) {
+  PixelError error;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double lowest = extrapolated ? static_cast<double>(pixel.color_lowest[i]) : pixel.color[i];
+    const double highest = extrapolated ? static_cast<double>(pixel.color_highest[i]) : pixel.color[i];
+    error.color = std::max(error.color, distance_to_range(rgba_unorm8[i], 255.0 * lowest, 255.0 * highest));
+  }
+  if (compare_depth) {
+    const double lowest = extrapolated ? std::min<double>(pixel.depth_lowest, pixel.depth_units) : pixel.depth_units;
+    const double highest = extrapolated ? std::max<double>(pixel.depth_highest, pixel.depth_units) : pixel.depth_units;
+    error.depth = distance_to_range(depth, lowest, highest);
+  }
+  return error;
+}
+
+}  // namespace
+
+Oracle::Oracle(const OracleOptions& options) : options_(options) {}
+Oracle::~Oracle() = default;
+
+void Oracle::target_changed(int width_px, int height_px, int depth_bits, int /*stencil_bits*/) {
+  picture_ = make_picture(width_px, height_px, depth_bits);
+}
+
+void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) {
+  if (options_.positions == PositionModel::snapped) {
+    draw_batch<float>(state, batch, options_, picture_);
+  } else {
+    draw_batch<double>(state, batch, options_, picture_);
+  }
+}
+
+void Oracle::clear(const pipeline::ClearState& state) { clear_picture(picture_, state); }
+
+std::size_t OraclePicture::count(std::uint8_t flag_bits) const {
+  return static_cast<std::size_t>(std::ranges::count_if(flags, [flag_bits](std::uint8_t f) { return (f & flag_bits) != 0; }));
+}
+
+PixelError measure(const OraclePicture& picture, int x, int y, const std::array<std::uint8_t, 4>& rgba_unorm8,
+                   std::uint32_t depth, bool compare_depth) {
+  const std::size_t index = picture.index(x, y);
+  const bool extrapolated = (picture.flags[index] & pixel_extrapolated) != 0;
+  const auto measured = [&](const OraclePixel& pixel) {
+    return measure_content(pixel, extrapolated, rgba_unorm8, depth, compare_depth && picture.depth_bits > 0);
+  };
+  PixelError best = measured(picture.pixels[index]);
+  const auto found = picture.alternatives.find(index);
+  if (found == picture.alternatives.end()) return best;
+  const auto badness = [](const PixelError& e) { return std::max(e.color, e.depth); };
+  for (const OraclePixel& other : found->second) {
+    PixelError error = measured(other);
+    error.alternative = true;
+    if (badness(error) < badness(best)) best = error;
+  }
+  return best;
+}
+
+}  // namespace gouraud::oracle

@@ -1,0 +1,160 @@
+// Triangles [GL1.5 §3.5.1]: a pixel belongs to the triangle if its centre lies inside, or on an edge that owns its
+// samples (left edges, and horizontal bottom edges). Colours by eq 3.6, depth linear in window space.
+#include <algorithm>
+#include <cmath>
+
+#include "conformance/oracle/rasterize.h"
+
+namespace gouraud::oracle {
+
+Integer doubled_area(const SubpixelPoint& a, const SubpixelPoint& b, const SubpixelPoint& c) {
+  return static_cast<Integer>(b.x - a.x) * (c.y - a.y) - static_cast<Integer>(c.x - a.x) * (b.y - a.y);
+}
+
+Color color_of(const FragmentSink& sink, const VertexColors& colors) {
+  Color out = colors.primary[sink.face];
+  for (std::size_t i = 0; sink.has_secondary && i < 3; ++i) out[i] += colors.secondary[sink.face][i];
+  return out;
+}
+
+namespace {
+
+/// Positive inside, y up; the triangle lies to the left of its edges.
+struct Edge {
+  SubpixelPoint from, to;
+  bool owns_samples = false;
+
+  Edge(const SubpixelPoint& a, const SubpixelPoint& b) : from(a), to(b), owns_samples(b.y < a.y || (b.y == a.y && b.x > a.x)) {}
+  bool covers(const SubpixelPoint& sample) const {
+    const Integer area = doubled_area(from, to, sample);
+    return area > 0 || (area == 0 && owns_samples);
+  }
+};
+
+/// Values over a triangle as functions of the barycentric coordinates of its unsnapped window positions.
+class Interpolation {
+ public:
+  Interpolation(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) : vertices_(vertices) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      colors_[i] = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertices[i].colors);
+    }
+    flat_ = sink.flat_colors != nullptr;
+  }
+
+  /// [GL1.5 §3.5.1]; extended precision, because slivers divide by next to nothing. Empty triangles are all vertex 0.
+  Vector3 barycentric(double x, double y) const {
+    const auto& [a, b, c] = vertices_;
+    using Real = long double;
+    const Real abx = static_cast<Real>(b.x) - a.x, aby = static_cast<Real>(b.y) - a.y;
+    const Real acx = static_cast<Real>(c.x) - a.x, acy = static_cast<Real>(c.y) - a.y;
+    const Real apx = static_cast<Real>(x) - a.x, apy = static_cast<Real>(y) - a.y;
+    const Real area = abx * acy - acx * aby;
+    if (area == 0) return {1, 0, 0};
+    const Real of_b = (apx * acy - acx * apy) / area, of_c = (abx * apy - apx * aby) / area;
+    return {static_cast<double>(1 - of_b - of_c), static_cast<double>(of_b), static_cast<double>(of_c)};
+  }
+
+  /// Perspective-correct, kept inside the range of the vertices [GL1.5 §3.5.1 eq 3.6].
+  Color color(const Vector3& weight) const {
+    if (flat_) return colors_[0];
+    const auto& [a, b, c] = vertices_;
+    const double q = in_range(weight[0] * a.w_inverse + weight[1] * b.w_inverse + weight[2] * c.w_inverse, a.w_inverse,
+                              b.w_inverse, c.w_inverse);
+    Color out;
+    for (std::size_t i = 0; i < 4; ++i) {
+      const double sum = weight[0] * a.w_inverse * colors_[0][i] + weight[1] * b.w_inverse * colors_[1][i] +
+                         weight[2] * c.w_inverse * colors_[2][i];
+      out[i] = in_range(sum / q, colors_[0][i], colors_[1][i], colors_[2][i]);
+    }
+    return out;
+  }
+
+  double depth(const Vector3& weight) const {
+    const auto& [a, b, c] = vertices_;
+    return in_range(weight[0] * a.z + weight[1] * b.z + weight[2] * c.z, a.z, b.z, c.z);
+  }
+  double lowest_depth() const { return std::min({vertices_[0].z, vertices_[1].z, vertices_[2].z}); }
+  double highest_depth() const { return std::max({vertices_[0].z, vertices_[1].z, vertices_[2].z}); }
+
+ private:
+  static double in_range(double value, double a, double b, double c) {
+    return std::clamp(value, std::min({a, b, c}), std::max({a, b, c}));
+  }
+
+  const std::array<WindowVertex, 3>& vertices_;
+  std::array<Color, 3> colors_;
+  bool flat_ = false;
+};
+
+/// The point of the triangle that is near the one with these barycentric coordinates.
+Vector3 moved_inside(Vector3 weight) {
+  for (double& w : weight) w = std::max(w, 0.0);
+  const double sum = weight[0] + weight[1] + weight[2];
+  return {weight[0] / sum, weight[1] / sum, weight[2] / sum};
+}
+
+/// Widens the fragment's bounds by the values that the triangle has within half a sub-pixel (PixelFlags).
+void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragment& fragment) {
+  fragment.extrapolated = true;
+  const double reach = std::ldexp(0.5, -subpixel_bits);
+  for (const double dx : {-reach, reach}) {
+    for (const double dy : {-reach, reach}) {
+      const Vector3 weight = moved_inside(values.barycentric(fragment.x + 0.5 + dx, fragment.y + 0.5 + dy));
+      const Color color = values.color(weight);
+      for (std::size_t i = 0; i < 4; ++i) {
+        fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color[i]);
+        fragment.color_highest[i] = std::max(fragment.color_highest[i], color[i]);
+      }
+      fragment.depth_lowest = std::min(fragment.depth_lowest, values.depth(weight));
+      fragment.depth_highest = std::max(fragment.depth_highest, values.depth(weight));
+    }
+  }
+}
+
+/// Barycentric coordinates of samples inside err by less.
+constexpr double rounding = 1e-12;
+
+void make_fragment(const FragmentSink& sink, const Interpolation& values, int x, int y) {
+  const Vector3 weight = values.barycentric(x + 0.5, y + 0.5);
+  Fragment fragment;
+  fragment.x = x;
+  fragment.y = y;
+  fragment.color = fragment.color_lowest = fragment.color_highest = values.color(weight);
+  fragment.depth = fragment.depth_lowest = fragment.depth_highest = values.depth(weight);
+  if (std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
+    bound_extrapolation(values, sink.subpixel_bits, fragment);
+  }
+  fragment.depth_lowest = std::max(fragment.depth_lowest - sink.depth_slack, values.lowest_depth());
+  fragment.depth_highest = std::min(fragment.depth_highest + sink.depth_slack, values.highest_depth());
+  write_fragment(*sink.picture, sink.state, fragment);
+}
+
+}  // namespace
+
+void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) {
+  SubpixelPoint a = vertices[0].snapped, b = vertices[1].snapped;
+  const SubpixelPoint c = vertices[2].snapped;
+  const Integer area = doubled_area(a, b, c);
+  if (area == 0) return;
+  if (area < 0) std::swap(a, b);
+  const std::array<Edge, 3> edges{Edge(a, b), Edge(b, c), Edge(c, a)};
+  const Interpolation values(sink, vertices);
+
+  // Every pixel whose centre is in the triangle's box and that may be written.
+  const auto [left, right] = std::minmax({a.x, b.x, c.x});
+  const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
+  const pipeline::PixelRect& box = sink.state.scissor;
+  const std::int64_t x0 = std::max<std::int64_t>(left >> sink.subpixel_bits, box.x0);
+  const std::int64_t x1 = std::min<std::int64_t>(right >> sink.subpixel_bits, box.x1 - 1);
+  const std::int64_t y0 = std::max<std::int64_t>(bottom >> sink.subpixel_bits, box.y0);
+  const std::int64_t y1 = std::min<std::int64_t>(top >> sink.subpixel_bits, box.y1 - 1);
+  for (std::int64_t y = y0; y <= y1; ++y) {
+    for (std::int64_t x = x0; x <= x1; ++x) {
+      const SubpixelPoint sample{x << sink.subpixel_bits, y << sink.subpixel_bits};
+      const bool covered = std::ranges::all_of(edges, [&sample](const Edge& edge) { return edge.covers(sample); });
+      if (covered) make_fragment(sink, values, static_cast<int>(x), static_cast<int>(y));
+    }
+  }
+}
+
+}  // namespace gouraud::oracle

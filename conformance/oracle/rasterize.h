@@ -1,0 +1,44 @@
+// Takes points, lines and triangles in window space, gives fragments [GL1.5 §3.3.1, §3.4.1, §3.5.1].
+// Which pixels: in exact integers of the snapped positions. Their values: in double of the unsnapped ones.
+#pragma once
+
+#include <array>
+
+#include "conformance/oracle/fragments.h"
+#include "conformance/oracle/vertex.h"
+
+namespace gouraud::oracle {
+
+/// A whole number wide enough for products of two differences of positions on the grid of 2^-30 pixel.
+__extension__ using Integer = __int128;
+
+/// Twice the signed area of the snapped triangle, y up: positive if counter-clockwise.
+Integer doubled_area(const SubpixelPoint& a, const SubpixelPoint& b, const SubpixelPoint& c);
+
+/// What fragments are made for, and where they go.
+struct FragmentSink {
+  OraclePicture* picture = nullptr;
+  pipeline::RasterState state{};
+  int subpixel_bits = 8;
+  /// Flat colour; null: colours are interpolated.
+  const VertexColors* flat_colors = nullptr;
+  Face face = front;
+  bool has_secondary = false;  ///< colours are sums of primary and secondary [GL1.5 §3.9]
+  double depth_slack = 0;      ///< in window z
+};
+
+void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices);
+void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices);
+void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex);
+
+/// Whether the segment from a to b makes a fragment at pixel (x, y) [GL1.5 §3.4.1].
+bool exits_diamond(const SubpixelPoint& a, const SubpixelPoint& b, int x, int y, int subpixel_bits);
+
+/// The pixel of a point of size 1 at a window position: truncated, after rounding to a sub-pixel (MESA-RULES 5.4: half
+/// away from the top left corner) [GL1.5 §3.3.1].
+std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits);
+
+/// Colour of a vertex on the sink's face, with the secondary colour added if the sink asks for it.
+Color color_of(const FragmentSink& sink, const VertexColors& colors);
+
+}  // namespace gouraud::oracle
