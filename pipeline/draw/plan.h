@@ -7,6 +7,7 @@
 
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/geometry/vertex_batch.h"
 #include "pipeline/raster/fragment_block.h"
 
 namespace gouraud::pipeline {

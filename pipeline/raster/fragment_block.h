@@ -1,4 +1,7 @@
 // The narrow waist: every rasterizer makes FragmentBlocks, and nothing after it knows which one did.
+//
+// A block is 8x8 pixels of a tile, lane = row * 8 + column, row 0 at the bottom. Bit `lane` of `coverage` says that the
+// fragment is alive; a pass clears the bits of those that fail its test.
 #pragma once
 
 #include <array>
@@ -7,10 +10,30 @@
 
 namespace gouraud::pipeline {
 
-/// What the passes do with a block, by the keys of the kernels that exist (their own small keys, not a product).
+struct PrimitiveRecord;
+
+/// The tile's pixels in the target's buffers.
+struct TileTarget {
+  std::byte* color = nullptr;
+  std::byte* depth = nullptr;
+};
+
+struct FragmentBlock {
+  std::uint64_t coverage = 0;
+  std::int32_t x = 0, y = 0;      ///< window position of lane 0's pixel
+  std::int32_t first_pixel = 0;   ///< lane 0's place among the tile's pixels
+  const PrimitiveRecord* primitive = nullptr;
+};
+
+using FragmentPass = void (*)(FragmentBlock& block, const TileTarget& target);
+
+/// The fragment passes of a plan, in order. A block that has lost all its fragments goes no further.
 struct FragmentPasses {
-  std::uint8_t depth = 0;
-  std::uint8_t color = 0;
+  static constexpr int max_passes = 4;
+  std::array<FragmentPass, max_passes> pass{};
+  std::int32_t count = 0;
+
+  void add(FragmentPass next) { pass[static_cast<std::size_t>(count++)] = next; }
   bool operator==(const FragmentPasses&) const = default;
 };
 

@@ -7,7 +7,7 @@
 // A kernel file looks like this:
 //
 //   #undef HWY_TARGET_INCLUDE
-//   #define HWY_TARGET_INCLUDE "pipeline/fragment/depth_test.cpp"   // itself
+//   #define HWY_TARGET_INCLUDE "pipeline/fragment/depth.cpp"   // itself
 //   #include <hwy/foreach_target.h>
 //   #include <hwy/highway.h>
 //   HWY_BEFORE_NAMESPACE();

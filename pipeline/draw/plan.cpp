@@ -1,0 +1,111 @@
+// Computed backwards: what can reach the framebuffer decides which passes run, the passes decide what is interpolated,
+// and that decides which vertex stages run and which attributes a vertex must bring.
+#include "pipeline/draw/plan.h"
+
+#include <array>
+#include <string_view>
+
+#include "pipeline/fragment/color_write.h"
+#include "pipeline/fragment/depth.h"
+
+namespace gouraud::pipeline {
+namespace {
+
+bool any_positional(const LightingState& lighting) {
+  for (std::size_t i = 0; i < lighting.light_count; ++i) {
+    if (lighting.lights[i].positional) return true;
+  }
+  return false;
+}
+
+struct Line {
+  std::string& text;
+  void operator()(std::string_view stage, std::string_view detail, std::string_view section) const {
+    text.append("  ").append(stage);
+    if (!detail.empty()) text.append(": ").append(detail);
+    text.append("  [GL1.5 ").append(section).append("]\n");
+  }
+};
+
+constexpr std::array<std::string_view, 8> compare_names{"never", "less", "equal", "lequal", "greater", "notequal", "gequal", "always"};
+
+std::string describe_lights(const LightingState& lighting) {
+  int positional = 0, spots = 0;
+  for (std::size_t i = 0; i < lighting.light_count; ++i) {
+    positional += lighting.lights[i].positional ? 1 : 0;
+    spots += lighting.lights[i].spot ? 1 : 0;
+  }
+  std::string text = std::to_string(lighting.light_count) + (lighting.light_count == 1 ? " light" : " lights");
+  if (positional > 0) text += ", " + std::to_string(positional) + " positional";
+  if (spots > 0) text += ", " + std::to_string(spots) + " spot";
+  if (lighting.two_sided) text += ", two-sided";
+  if (lighting.local_viewer) text += ", local viewer";
+  if (lighting.separate_specular) text += ", separate specular";
+  if ((lighting.color_material_front | lighting.color_material_back) != 0) text += ", color material";
+  return text;
+}
+
+}  // namespace
+
+Plan make_plan(const DrawState& state, TargetFormat target) {
+  Plan plan;
+
+  // What can reach the framebuffer?
+  const bool tests_depth = state.raster.depth.test_enabled && target.depth != DepthFormat::none;
+  const bool writes_depth = tests_depth && state.raster.depth.write_enabled;
+  const bool writes_color = target.color != ColorFormat::none && state.raster.color_write_mask != 0;
+  const bool all_fail = tests_depth && state.raster.depth.func == CompareFunc::never;
+  plan.draws = (writes_color || writes_depth) && !all_fail && !state.raster.scissor.empty();
+  if (!plan.draws) return plan;
+
+  // Which passes does that take?
+  plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);
+  if (plan.depth) plan.fragment.add(depth_test_pass(state.raster.depth.func, target.depth));
+  plan.colors = writes_color;
+  if (plan.colors) plan.fragment.add(color_write_pass(target.color, state.raster.color_write_mask));
+
+  // Which vertex stages, and which attributes?
+  plan.lighting = plan.colors && state.lighting.enabled;
+  plan.vertex_colors = plan.colors && !state.lighting.enabled;
+  plan.normals = plan.lighting && state.lighting.light_count > 0;
+  plan.eye_positions = plan.lighting && (any_positional(state.lighting) || (plan.normals && state.lighting.local_viewer));
+  if (plan.normals) plan.vertex_demand |= attribute_normal;
+  const bool color_material = (state.lighting.color_material_front | state.lighting.color_material_back) != material_none;
+  if (plan.vertex_colors || (plan.lighting && color_material)) plan.vertex_demand |= attribute_color;
+  return plan;
+}
+
+std::string describe(const Plan& plan, const DrawState& state, TargetFormat target) {
+  std::string text;
+  const Line line{text};
+  if (!plan.draws) {
+    text = "plan: nothing can reach the framebuffer\n";
+    return text;
+  }
+  text = "plan:\n";
+  line("transform to clip space", "", "§2.11.2");
+  if (plan.eye_positions) line("transform to eye space", "", "§2.11.2");
+  if (plan.normals) {
+    constexpr std::array<std::string_view, 3> scaling{"", "rescaled", "normalized"};
+    line("transform normals", scaling[static_cast<std::size_t>(state.transform.normal_scaling)], "§2.11.3");
+  }
+  if (plan.lighting) line("light", describe_lights(state.lighting), "§2.14.1");
+  if (plan.vertex_colors) line("clamp vertex colors", "", "§2.14.6");
+  line("clip and project", "", "§2.12, §2.11.1");
+  if (state.assembly.cull != CullMode::none) line("cull", "", "§3.5.1");
+  line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
+  if (plan.depth) {
+    std::string detail(compare_names[static_cast<std::size_t>(state.raster.depth.func)]);
+    if (state.raster.depth.write_enabled) detail += ", write";
+    line("depth test", detail, "§4.1.6");
+  }
+  if (plan.colors) {
+    constexpr std::array<std::string_view, 4> formats{"", "8 bits", "16 bits", "float"};
+    std::string detail(formats[static_cast<std::size_t>(target.color)]);
+    if (state.raster.color_write_mask != 0xF) detail += ", masked";
+    line("write color", detail, "§4.2.2");
+  }
+  return text;
+}
+
+}  // namespace gouraud::pipeline

@@ -1,0 +1,91 @@
+// Tile bins: primitives and clears wait here, per 64x64 tile and in the order of submission, until they are rasterized.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/worker_pool.h"
+#include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/raster/polygons.h"
+#include "pipeline/raster/primitive.h"
+#include "pipeline/raster/setup.h"
+
+namespace gouraud::pipeline {
+
+/// Memory that is taken in order and given back all at once.
+class Arena {
+ public:
+  /// `bytes` of memory, aligned to 64 bytes; throws std::bad_alloc. `bytes` is at most chunk_size.
+  void* allocate(std::size_t bytes);
+  /// Gives back the last `bytes` taken by the last allocate().
+  void take_back(std::size_t bytes) { used_ -= rounded(bytes); }
+  void reset();
+  std::size_t used() const { return full_chunks_ * chunk_size + used_; }
+
+ private:
+  static constexpr std::size_t chunk_size = std::size_t{1} << 18;
+  static constexpr std::size_t rounded(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
+  struct alignas(64) Chunk {
+    std::byte bytes[chunk_size];
+  };
+  std::vector<std::unique_ptr<Chunk>> chunks_;
+  std::size_t full_chunks_ = 0;
+  std::size_t used_ = chunk_size;  ///< of the chunk in use; none at first
+};
+
+class TileBins {
+ public:
+  explicit TileBins(int thread_count);
+
+  /// What is pending must have been run.
+  void set_target(Framebuffer* target);
+  Framebuffer* target() const { return target_; }
+
+  /// The shared copy of a binding, good until the next run(). Equal consecutive bindings share one.
+  const RasterBinding* intern(const RasterBinding& binding);
+
+  /// Room for a record that add_polygon or add_pixels will then take, or take_back().
+  void* allocate_record(std::size_t bytes) { return arena_.allocate(bytes); }
+  void take_back(std::size_t bytes) { arena_.take_back(bytes); }
+
+  void add_polygon(const PrimitiveRecord& record);
+  /// Fragments at these pixels, each once; those outside `scissor` are left out.
+  void add_pixels(const PrimitiveRecord& record, std::span<const PixelPosition> pixels, const PixelRect& scissor);
+  void add_clear(const ClearState& state);
+
+  bool pending() const { return !touched_.empty(); }
+  /// True when so much waits that it should be rasterized now.
+  bool full() const;
+  /// Rasterizes all that waits.
+  void run();
+
+ private:
+  enum class EntryKind : std::uint8_t { polygon, blocks, clear };
+  struct Entry {
+    const void* what = nullptr;  ///< PrimitiveRecord, or ClearState
+    const BlockMask* blocks = nullptr;
+    std::int32_t block_count = 0;
+    EntryKind kind = EntryKind::polygon;
+  };
+  void add(std::int32_t tile, const Entry& entry);
+  void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
+  void run_tile(std::int32_t tile, PolygonRasterizer rasterize);
+
+  Framebuffer* target_ = nullptr;
+  Arena arena_;
+  std::deque<RasterBinding> bindings_;
+  std::deque<ClearState> clears_;
+  std::vector<std::vector<Entry>> bins_;
+  std::vector<std::int32_t> touched_;  ///< tiles with entries
+  std::size_t entry_count_ = 0;
+  std::vector<BlockMask> block_list_;  ///< of the pixels being added
+  std::size_t arena_limit_;
+  WorkerPool workers_;
+};
+
+}  // namespace gouraud::pipeline

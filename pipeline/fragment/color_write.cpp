@@ -1,0 +1,205 @@
+// Takes a block and its primitive's colour planes, gives pixels. Colours arrive scaled to the buffer's integers:
+// float to 8 bits is clamp, times 255, round to nearest even (MESA-RULES 4.2). Setup has seen to it that a plane stays
+// in range by itself, or has set `clamp`.
+#include "pipeline/fragment/color_write.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/raster/primitive.h"
+#include "pipeline/simd/dispatch.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/fragment/color_write.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "pipeline/raster/interpolation-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gouraud::pipeline::HWY_NAMESPACE {
+
+/// The planes of a primitive's colour at one block.
+struct BlockColor {
+  alignas(64) float base[8];
+  alignas(64) float dx[8], dy[8];
+
+  HWY_INLINE BlockColor(const ColorRecord& color, std::int32_t x, std::int32_t y) {
+    const hn::CappedTag<double, 8> d;
+    const hn::Rebind<float, decltype(d)> df;
+    const auto vx = hn::Set(d, static_cast<double>(x)), vy = hn::Set(d, static_cast<double>(y));
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+      const auto rise_x = hn::Load(d, color.dx.data() + i), rise_y = hn::Load(d, color.dy.data() + i);
+      const auto value = hn::Add(hn::Add(hn::Load(d, color.origin.data() + i), hn::Mul(rise_x, vx)), hn::Mul(rise_y, vy));
+      hn::Store(hn::DemoteTo(df, value), df, base + i);
+      hn::Store(hn::DemoteTo(df, rise_x), df, dx + i);
+      hn::Store(hn::DemoteTo(df, rise_y), df, dy + i);
+    }
+  }
+  HWY_INLINE BlockPlane plane(std::size_t k) const { return {base[k], dx[k], dy[k]}; }
+};
+
+/// 8-bit targets: four channels packed into one word a pixel.
+template <bool all_channels>
+struct Unorm8 {
+  /// One byte a channel, from floats in [0, 255] (give or take what rounding forgives).
+  static HWY_INLINE IntVector pack(FloatVector r, FloatVector g, FloatVector b, FloatVector a) {
+    const auto byte = [](FloatVector v) HWY_ATTR { return bits_after_adding(rounding_magic_positive, v); };
+    const IntVector low = hn::Or(hn::Xor(byte(r), hn::Set(IntTag(), rounding_bits_positive)), hn::ShiftLeft<8>(byte(g)));
+    return hn::Or(low, hn::Or(hn::ShiftLeft<16>(byte(b)), hn::ShiftLeft<24>(byte(a))));
+  }
+  static HWY_INLINE void put(IntVector packed, std::uint64_t covered, std::int32_t* out, std::int32_t channel_bits) {
+    const IntTag d;
+    if constexpr (all_channels) {
+      if (all_lanes(covered)) return hn::Store(packed, d, out);
+    }
+    const IntVector stored = hn::Load(d, out);
+    if constexpr (!all_channels) {
+      const IntVector channels = hn::Set(d, channel_bits);
+      packed = hn::Or(hn::And(packed, channels), hn::AndNot(channels, stored));
+    }
+    hn::Store(hn::IfThenElse(mask_of(d, covered), packed, stored), d, out);
+  }
+  static HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
+                               std::size_t pixel, const TileTarget& target, std::uint8_t write_mask) {
+    put(pack(r, g, b, a), covered, reinterpret_cast<std::int32_t*>(target.color) + pixel, channel_bits_of(write_mask));
+  }
+  static HWY_INLINE std::int32_t channel_bits_of(std::uint8_t write_mask) {
+    std::uint32_t bits = 0;
+    for (std::uint32_t k = 0; k < 4; ++k) bits |= (write_mask >> k & 1u) != 0 ? 0xFFu << (8 * k) : 0u;
+    return static_cast<std::int32_t>(bits);
+  }
+};
+
+/// Wider targets: four words a pixel, written lane by lane where the block is not whole.
+template <class Word>
+struct Wide {
+  static HWY_INLINE Word convert(float value) {
+    if constexpr (std::is_same_v<Word, float>) return value;
+    else return static_cast<Word>(std::nearbyint(value));
+  }
+  static HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
+                               std::size_t pixel, const TileTarget& target, std::uint8_t write_mask) {
+    const FloatTag d;
+    alignas(64) float values[4][16];
+    hn::Store(r, d, values[0]);
+    hn::Store(g, d, values[1]);
+    hn::Store(b, d, values[2]);
+    hn::Store(a, d, values[3]);
+    Word* out = reinterpret_cast<Word*>(target.color) + 4 * pixel;
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      if ((covered >> lane & 1u) == 0) continue;
+      for (std::size_t k = 0; k < 4; ++k) {
+        if ((write_mask >> k & 1u) != 0) out[4 * lane + k] = convert(values[k][lane]);
+      }
+    }
+  }
+};
+
+template <class Sink>
+HWY_INLINE void write_constant(const FragmentBlock& block, const ColorRecord& color, const TileTarget& target,
+                               std::uint8_t write_mask) {
+  const FloatTag d;
+  const FloatVector r = hn::Set(d, color.base[0]), g = hn::Set(d, color.base[1]);
+  const FloatVector b = hn::Set(d, color.base[2]), a = hn::Set(d, color.base[3]);
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t covered = lane_bits(block.coverage, lane);
+    if (covered == 0) continue;
+    Sink::write(r, g, b, a, covered, static_cast<std::size_t>(block.first_pixel) + lane, target, write_mask);
+  }
+}
+
+template <class Sink, bool perspective, bool clamp, bool whole_block>
+HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color, const TileTarget& target,
+                              std::uint8_t write_mask) {
+  const FloatTag d;
+  const BlockColor planes(color, block.x, block.y);
+  const BlockPlane red = planes.plane(0), green = planes.plane(1), blue = planes.plane(2), alpha = planes.plane(3);
+  const BlockPlane inverse_w = planes.plane(ColorRecord::inverse_w);
+  for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
+    const FloatVector red_pattern = pair_pattern(red, offset), green_pattern = pair_pattern(green, offset);
+    const FloatVector blue_pattern = pair_pattern(blue, offset), alpha_pattern = pair_pattern(alpha, offset);
+    FloatVector w_pattern = hn::Zero(d);
+    if constexpr (perspective) w_pattern = pair_pattern(inverse_w, offset);
+    for (std::size_t pair = 0; pair < row_pairs; ++pair) {
+      const std::size_t first_lane = pair * pair_lanes + offset;
+      const std::uint64_t covered = lane_bits(whole_block ? ~std::uint64_t{0} : block.coverage, first_lane);
+      if (!whole_block && covered == 0) continue;
+      FloatVector w = hn::Zero(d);
+      if constexpr (perspective) {
+        FloatVector q = at_pair(inverse_w, w_pattern, pair);
+        if constexpr (clamp) q = clamp_lanes(q, hn::Set(d, color.inverse_w_minimum), hn::Set(d, color.inverse_w_maximum));
+        w = hn::Div(hn::Set(d, 1.0f), q);
+      }
+      const auto channel = [&](const BlockPlane& plane, FloatVector pattern, std::size_t k) HWY_ATTR {
+        FloatVector value = at_pair(plane, pattern, pair);
+        if constexpr (perspective) value = hn::Mul(value, w);
+        value = hn::Add(value, hn::Set(d, color.base[k]));
+        if constexpr (clamp) value = clamp_lanes(value, hn::Set(d, color.minimum[k]), hn::Set(d, color.maximum[k]));
+        return value;
+      };
+      Sink::write(channel(red, red_pattern, 0), channel(green, green_pattern, 1), channel(blue, blue_pattern, 2),
+                  channel(alpha, alpha_pattern, 3), covered, static_cast<std::size_t>(block.first_pixel) + first_lane,
+                  target, write_mask);
+    }
+  }
+}
+
+template <class Sink, bool perspective, bool clamp>
+HWY_INLINE void write_varying(const FragmentBlock& block, const ColorRecord& color, const TileTarget& target,
+                              std::uint8_t write_mask) {
+  if (block.coverage == ~std::uint64_t{0}) {
+    write_lanes<Sink, perspective, clamp, true>(block, color, target, write_mask);
+  } else {
+    write_lanes<Sink, perspective, clamp, false>(block, color, target, write_mask);
+  }
+}
+
+template <class Sink>
+void color_write(FragmentBlock& block, const TileTarget& target) {
+  const ColorRecord& color = color_of(*block.primitive);
+  const std::uint8_t mask = block.primitive->binding->state.color_write_mask;
+  switch (color.variation) {
+    case ColorVariation::constant: return write_constant<Sink>(block, color, target, mask);
+    case ColorVariation::affine:
+      return color.clamp ? write_varying<Sink, false, true>(block, color, target, mask)
+                         : write_varying<Sink, false, false>(block, color, target, mask);
+    case ColorVariation::perspective:
+      return color.clamp ? write_varying<Sink, true, true>(block, color, target, mask)
+                         : write_varying<Sink, true, false>(block, color, target, mask);
+  }
+}
+
+FragmentPass select(ColorFormat format, std::uint8_t write_mask) {
+  switch (format) {
+    case ColorFormat::rgba16: return color_write<Wide<std::uint16_t>>;
+    case ColorFormat::rgba32f: return color_write<Wide<float>>;
+    case ColorFormat::rgba8:
+    case ColorFormat::none: break;
+  }
+  return write_mask == 0xF ? color_write<Unorm8<true>> : color_write<Unorm8<false>>;
+}
+
+}  // namespace gouraud::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gouraud::pipeline {
+
+FragmentPass color_write_pass(ColorFormat format, std::uint8_t write_mask) {
+  return GOURAUD_SIMD_PICK(select)(format, write_mask);
+}
+
+float color_scale(ColorFormat format) {
+  switch (format) {
+    case ColorFormat::rgba8: return 255.0f;
+    case ColorFormat::rgba16: return 65535.0f;
+    case ColorFormat::rgba32f:
+    case ColorFormat::none: break;
+  }
+  return 1.0f;
+}
+
+}  // namespace gouraud::pipeline
+#endif

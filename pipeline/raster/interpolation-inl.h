@@ -1,0 +1,94 @@
+// Evaluating planes over a block, for kernels: included inside a kernel file, once per instruction set.
+//
+// The same arithmetic in the same order on every target: lane (column, row) of a block has the value
+//   (base + (dy * 2 * (row / 2))) + (dx * column + dy * (row % 2)),
+// where base is the plane at lane 0, computed in double and rounded to float.
+#include <hwy/highway.h>
+
+#if defined(GOURAUD_PIPELINE_RASTER_INTERPOLATION_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GOURAUD_PIPELINE_RASTER_INTERPOLATION_INL_H_
+#undef GOURAUD_PIPELINE_RASTER_INTERPOLATION_INL_H_
+#else
+#define GOURAUD_PIPELINE_RASTER_INTERPOLATION_INL_H_
+#endif
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace gouraud::pipeline::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Up to 16 lanes: two rows of a block. Kernels walk a block in four row pairs of 16 / Lanes vectors.
+using FloatTag = hn::CappedTag<float, 16>;
+using IntTag = hn::CappedTag<std::int32_t, 16>;
+using FloatVector = hn::Vec<FloatTag>;
+using IntVector = hn::Vec<IntTag>;
+using FloatMask = hn::Mask<FloatTag>;
+
+inline constexpr std::size_t row_pairs = 4;
+inline constexpr std::size_t pair_lanes = 16;
+
+alignas(64) constexpr float pair_column[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
+alignas(64) constexpr float pair_row[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+
+/// A plane at one block: scalars, before it is spread over lanes.
+struct BlockPlane {
+  float base, dx, dy;
+};
+
+/// The part of a plane that is the same in each row pair.
+HWY_INLINE FloatVector pair_pattern(const BlockPlane& plane, std::size_t offset) {
+  const FloatTag d;
+  return hn::Add(hn::Mul(hn::Set(d, plane.dx), hn::Load(d, pair_column + offset)),
+                 hn::Mul(hn::Set(d, plane.dy), hn::Load(d, pair_row + offset)));
+}
+
+/// The plane's value in lanes [pair * 16 + offset, ...).
+HWY_INLINE FloatVector at_pair(const BlockPlane& plane, FloatVector pattern, std::size_t pair) {
+  const FloatTag d;
+  return hn::Add(hn::Set(d, plane.base + plane.dy * static_cast<float>(2 * pair)), pattern);
+}
+
+/// The bits of `coverage` for the vector at lane `first_lane`.
+HWY_INLINE std::uint64_t lane_bits(std::uint64_t coverage, std::size_t first_lane) {
+  return coverage >> first_lane & ((std::uint64_t{1} << hn::Lanes(FloatTag())) - 1);
+}
+
+HWY_INLINE bool all_lanes(std::uint64_t bits) { return bits == (std::uint64_t{1} << hn::Lanes(FloatTag())) - 1; }
+
+/// The mask whose lane i is bit i. (Through one word: byte stores followed by a wider load would stall.)
+template <class D>
+HWY_INLINE hn::Mask<D> mask_of(D d, std::uint64_t bits) {
+  return hn::LoadMaskBits(d, reinterpret_cast<const std::uint8_t*>(&bits));
+}
+
+template <class D>
+HWY_INLINE std::uint64_t bits_of(D d, hn::Mask<D> mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(d, mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+
+/// Adding it to a float of magnitude below 2^22 leaves the nearest integer (ties to even) in the low bits: the sum's
+/// bits are rounding_bits plus that integer. Cheaper than a conversion that is defined for every float.
+inline constexpr float rounding_magic = 12582912.0f;  // 1.5 * 2^23
+inline constexpr std::int32_t rounding_bits = 0x4B400000;
+
+/// The same for floats in [0, 2^23): the bits are 0x4B000000 plus the integer, so shifting left by 8 or more drops all
+/// but the integer.
+inline constexpr float rounding_magic_positive = 8388608.0f;  // 2^23
+inline constexpr std::int32_t rounding_bits_positive = 0x4B000000;
+
+HWY_INLINE IntVector bits_after_adding(float magic, FloatVector v) {
+  return hn::BitCast(IntTag(), hn::Add(v, hn::Set(FloatTag(), magic)));
+}
+
+/// Clamp with a defined result for NaN: the lower bound.
+HWY_INLINE FloatVector clamp_lanes(FloatVector v, FloatVector low, FloatVector high) {
+  return hn::Min(hn::Max(v, low), high);
+}
+
+}  // namespace gouraud::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,112 @@
+// Takes vertices in window space, gives depth and colour planes [GL1.5 §3.5.1 eq 3.6, §3.4.1 eq 3.5].
+// Perspective: with q = 1/w, colour = c0 + sum(lambda_i q_i (c_i - c0)) / sum(lambda_i q_i); both sums are planes.
+#include "pipeline/raster/planes.h"
+
+namespace gouraud::pipeline {
+namespace {
+
+/// A sample inside the snapped primitive is a convex combination of its vertices moved by at most half a sub-pixel a
+/// coordinate, so a plane leaves the range of its vertices by at most this share of |dx| + |dy|.
+constexpr double snap_overshoot = 0.5 / subpixels;
+
+/// Depth steps of this many units a pixel keep float error inside a block below 1/16 unit.
+constexpr double steep_slope_units = 65536.0;
+constexpr double steep_slope_float = 1.0 / 256.0;
+
+/// Overshoot of a colour that rounding to 8 bits forgives.
+constexpr double harmless_overshoot = 1.0 / 2048.0;
+
+float finite_or_zero(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
+
+std::array<float, 4> channels(const Rgba& color) { return {color.r, color.g, color.b, color.a}; }
+
+}  // namespace
+
+DepthPlane make_depth_plane(const GradientBasis& basis, const std::array<ShadedVertex, 3>& vertices,
+                            const PlaneTargets& targets) {
+  std::array<double, 3> z;
+  for (std::size_t i = 0; i < 3; ++i) {
+    z[i] = std::clamp(static_cast<double>(vertices[i].window->z), 0.0, 1.0) * targets.depth_scale;
+  }
+  const Plane plane = make_plane(basis, z[0], z[1] - z[0], z[2] - z[0]);
+  DepthPlane out;
+  const auto [low, high] = std::minmax({z[0], z[1], z[2]});
+  out.minimum = static_cast<float>(low);
+  out.maximum = static_cast<float>(high);
+  if (!std::isfinite(plane.origin) || !std::isfinite(plane.dx) || !std::isfinite(plane.dy)) {
+    out.origin = z[0];
+    return out;
+  }
+  out.origin = plane.origin;
+  out.dx = plane.dx;
+  out.dy = plane.dy;
+  const double slope = std::abs(plane.dx) + std::abs(plane.dy);
+  out.steep = slope > (targets.depth_is_float ? steep_slope_float : steep_slope_units);
+  return out;
+}
+
+void make_constant_color(Rgba color, const PlaneTargets& targets, ColorRecord& out) {
+  const std::array<float, 4> value = channels(color);
+  for (std::size_t k = 0; k < 4; ++k) out.base[k] = std::min(value[k], 1.0f) * targets.color_scale;
+  out.variation = ColorVariation::constant;
+  out.clamp = false;
+}
+
+void make_color_planes(const GradientBasis& basis, const std::array<ShadedVertex, 3>& vertices,
+                       const PlaneTargets& targets, ColorRecord& out) {
+  const std::array<float, 4> c0 = channels(vertices[0].color);
+  const std::array<float, 4> c1 = channels(vertices[1].color);
+  const std::array<float, 4> c2 = channels(vertices[2].color);
+  if (c0 == c1 && c0 == c2) return make_constant_color(vertices[0].color, targets, out);
+
+  // Weigh by 1/w, relative to the largest so that tiny and huge w stay in range.
+  const float q0f = vertices[0].window->w_inverse, q1f = vertices[1].window->w_inverse, q2f = vertices[2].window->w_inverse;
+  const bool perspective = q0f != q1f || q0f != q2f;
+  double q0 = 1, q1 = 1, q2 = 1;
+  if (perspective) {
+    const double largest = 1.0 / static_cast<double>(std::max({q0f, q1f, q2f}));
+    q0 = q0f * largest;
+    q1 = q1f * largest;
+    q2 = q2f * largest;
+  }
+
+  // Planes of the colours' distance from vertex 0.
+  const double scale = targets.color_scale;
+  double worst_overshoot = 0;
+  bool over_one = false;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double rise1 = (static_cast<double>(c1[k]) - c0[k]) * q1, rise2 = (static_cast<double>(c2[k]) - c0[k]) * q2;
+    const Plane plane = make_plane(basis, 0.0, rise1 * scale, rise2 * scale);
+    out.origin[k] = plane.origin;
+    out.dx[k] = plane.dx;
+    out.dy[k] = plane.dy;
+    out.base[k] = c0[k] * targets.color_scale;
+    const auto [low, high] = std::minmax({c0[k], c1[k], c2[k]});
+    over_one |= high > 1.0f;
+    out.minimum[k] = std::min(low, 1.0f) * targets.color_scale;
+    out.maximum[k] = std::min(high, 1.0f) * targets.color_scale;
+    worst_overshoot = std::max(worst_overshoot, (std::abs(plane.dx) + std::abs(plane.dy)) / scale);
+  }
+  worst_overshoot *= snap_overshoot;
+  out.variation = perspective ? ColorVariation::perspective : ColorVariation::affine;
+  for (std::size_t k = ColorRecord::inverse_w; k < out.origin.size(); ++k) out.origin[k] = out.dx[k] = out.dy[k] = 0;
+  if (perspective) {
+    const Plane plane = make_plane(basis, q0, q1 - q0, q2 - q0);
+    out.origin[ColorRecord::inverse_w] = plane.origin;
+    out.dx[ColorRecord::inverse_w] = plane.dx;
+    out.dy[ColorRecord::inverse_w] = plane.dy;
+    const double lowest = std::min({q0, q1, q2});
+    out.inverse_w_minimum = static_cast<float>(lowest);
+    out.inverse_w_maximum = 1.0f;
+    // A wrong 1/w scales the colour's distance from vertex 0, which is at most the range of the colours.
+    worst_overshoot = (worst_overshoot + (std::abs(plane.dx) + std::abs(plane.dy)) * snap_overshoot) / lowest;
+  }
+  out.clamp = over_one || !(worst_overshoot < harmless_overshoot);
+  if (!std::isfinite(worst_overshoot)) {
+    for (std::size_t k = 0; k < 4; ++k) out.base[k] = finite_or_zero(std::min(c0[k], 1.0f) * targets.color_scale);
+    out.variation = ColorVariation::constant;
+    out.clamp = false;
+  }
+}
+
+}  // namespace gouraud::pipeline

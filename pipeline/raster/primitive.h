@@ -1,0 +1,88 @@
+// A primitive after setup, as it waits in the tile bins: where it covers pixels, and planes that give depth and colour
+// anywhere in the window.
+//
+// A plane is origin + dx * i + dy * j, in double, at the centre of pixel (i, j). Planes stem from the unsnapped window
+// positions, coverage from the snapped ones (ARCHITECTURE §3).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/raster/fragment_block.h"
+
+namespace gouraud::pipeline {
+
+/// What the bins keep of a draw: shared by all primitives of equal draws.
+struct RasterBinding {
+  RasterState state{};
+  FragmentPasses passes{};
+  bool operator==(const RasterBinding&) const = default;
+};
+
+/// Pixel (i, j) lies on the inner side if a * i + b * j + c >= 0; the tie rule is part of c.
+///
+/// Width: window coordinates are at most 2^16 pixels from the origin and a clipped primitive at most 2^14 across
+/// (viewport_limits below), so in 1/256 pixel |a|, |b| <= 2^22 and |c| < 2^40: int64 with room. Relative to a 64x64
+/// tile that the edge crosses, |value| <= 64 * (|a| + |b|) <= 2^29: int32 with room.
+struct EdgeFunction {
+  std::int64_t c = 0;
+  std::int32_t a = 0, b = 0;
+};
+inline constexpr int subpixel_bits = 8;
+inline constexpr int subpixels = 1 << subpixel_bits;
+static_assert(64LL * 2 * ((16384LL << subpixel_bits) + 1) < (1LL << 31), "an edge's values inside a tile fit int32");
+
+enum class Coverage : std::uint8_t {
+  edges,       ///< the pixels inside three edge functions
+  block_list,  ///< the bin entry lists blocks and masks
+};
+
+/// How colour varies over the primitive.
+enum class ColorVariation : std::uint8_t { constant, affine, perspective };
+
+struct DepthPlane {
+  double origin = 0, dx = 0, dy = 0;  ///< in buffer units (0 .. 2^bits - 1); in [0, 1] for float depth
+  float minimum = 0, maximum = 0;     ///< range of the vertices: no fragment leaves it
+  bool steep = false;                 ///< float steps inside a block would err visibly: evaluate in double
+};
+
+struct PrimitiveRecord {
+  const RasterBinding* binding = nullptr;
+  std::array<EdgeFunction, 3> edges{};
+  std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
+  bool scissored = false;  ///< the scissor cuts the edges' box: block masks are cut to the box above
+  DepthPlane depth{};
+};
+
+/// Follows the PrimitiveRecord in memory if the plan interpolates colours; setup fills what the variation needs. Colour is
+///   base + plane (affine) or base + plane / inverse_w_plane (perspective): a channel that does not vary has a zero
+/// plane and stays exactly its base. Scaled by the plan's color_scale.
+struct ColorRecord {
+  static constexpr int inverse_w = 4;  ///< planes: r, g, b, a, then 1/w relative to its largest vertex value
+  alignas(64) std::array<double, 8> origin, dx, dy;
+  alignas(16) std::array<float, 4> base;
+  std::array<float, 4> minimum, maximum;
+  float inverse_w_minimum, inverse_w_maximum;
+  ColorVariation variation;
+  /// A fragment could leave the vertices' range by more than rounding forgives (slivers, colour sums): clamp each.
+  bool clamp;
+};
+
+struct alignas(64) ColoredPrimitive {
+  PrimitiveRecord record;
+  ColorRecord color;
+};
+
+/// The colour part of a record whose plan interpolates colours.
+inline const ColorRecord& color_of(const PrimitiveRecord& record) {
+  return reinterpret_cast<const ColoredPrimitive&>(record).color;
+}
+
+/// 64 pixels of a tile: `block` counts the tile's blocks row by row.
+struct BlockMask {
+  std::uint64_t coverage = 0;
+  std::int32_t block = 0;
+};
+
+}  // namespace gouraud::pipeline
