@@ -3,14 +3,16 @@
 
 A citation stands on one line and lists, with commas or "and": §2.14.1 · §2.14.1 eq 2.3 · §3.9-4.2 or §3.9 to §4.2 ·
 Table 2.10 · Tables 6.8, 6.9 and 6.11 · Tables 6.28 to 6.31 · App. A · ch. 6. Equations must belong to the chapter of
-their section. Also lists the sections of chapters 2 to 6 that nobody cites; that is no complaint.
+their section. A string that begins with § is held to the same rules. Also lists the sections of chapters 2 to 6 that
+nobody cites; that is no complaint.
 """
 import re
 import sys
 
 import sources
 
-CITATION = re.compile(r"\[GL1\.5(?P<body>[^\]\n]*)(?P<end>\]?)")
+CITATION = re.compile(r'\[GL1\.5(?P<body>[^\]"\n]*)(?P<end>[\]"]?)')
+LITERAL = re.compile(r'"(?P<body>§ ?\d[^"\n]*)(?P<end>")')  # what a plan's line or a scene cites at run time
 SECTION = r"[0-9A-I](?:\.\d+)*"
 TABLE = r"[0-9A-I]\.\d+"
 UNTIL = r"(?:[-–]| to )§?"
@@ -64,7 +66,9 @@ def main():
     for room in sources.ROOMS:
         for path in sources.files(room, ENDINGS):
             for number, line in enumerate(sources.read(path).splitlines(), 1):
-                for citation in CITATION.finditer(line):
+                for citation in [*CITATION.finditer(line), *LITERAL.finditer(line)]:
+                    if citation["end"] == '"' and not citation["body"].strip():
+                        continue  # the rest is put together at run time
                     count += 1
                     where = f"{path}:{number}: {citation.group()}"
                     if not citation["end"]:
