@@ -109,7 +109,8 @@ def _alias(alias, command):
 
 
 def watched_cpp(commands, handlers):
-    text = [NOTE, '#include "watched.h"\n\n#include "api/registry/call_trace.h"\n#include "checked.h"\n']
+    text = [NOTE, '#include "watched.h"\n\n#include <algorithm>\n\n'
+            '#include "api/registry/call_trace.h"\n#include "checked.h"\n']
     compiles = "NewList" in handlers
     if compiles:
         text.append('#include "records.h"\n')

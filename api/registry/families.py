@@ -76,7 +76,7 @@ class ParameterFamily:
     """Commands of the form Name{f,i,d}[v](..., pname, param): the handler is `Name`fv.
 
     The scalar forms accept only the parameters of one value, else GL_INVALID_ENUM [GL1.5 §2.14.2]; integers convert
-    directly, but colours by [GL1.5 Table 2.9]. A pname that is not listed here is GL_INVALID_ENUM in every form but fv.
+    directly, but colours by [GL1.5 Table 2.9]. A pname that is not listed here is GL_INVALID_ENUM in every form but fv, and has no values in a display list.
     """
     name: str
     types: str

@@ -71,7 +71,8 @@ void execute(Context& context, Opcode opcode, const void* record);
 
 /// The display-list compiler's part: puts a copy of `record` into the open list, client memory included. True if the
 /// command shall also be executed now (GL_COMPILE_AND_EXECUTE, or what §5.4 never puts into a list: proxy textures).
-bool append_record(Context& context, records::Opcode opcode, const void* record, std::size_t bytes);
+/// Where memory runs out it raises GL_OUT_OF_MEMORY itself.
+bool append_record(Context& context, records::Opcode opcode, const void* record, std::size_t bytes) noexcept;
 
 }}  // namespace gouraud::api
 """
@@ -93,11 +94,9 @@ def append_lines(command):
     for param in command.params:
         if not param.is_pointer or _inline_values(command, param) is None:
             lines.append(f"record.{param.name} = {param.name};")
-        elif param.length.isdigit():
-            lines.append(f"std::memcpy(record.{param.name}, {param.name}, sizeof(record.{param.name}));")
         else:
-            family = families.family_with_vector(command.name) or families.parameter_family_of(command.name)[0]
-            values = f"{handlers_module.shape_function(family)}(pname).values"
+            family = families.family_with_vector(command.name) or (families.parameter_family_of(command.name) or [None])[0]
+            values = f"{handlers_module.shape_function(family)}(pname).values" if family else param.length
             lines.append(f"std::copy_n({param.name}, {values}, record.{param.name});")
     opcode = f"records::Opcode::{command.name}"
     return lines + [f"if (!append_record(*context, {opcode}, &record, sizeof(record))) return;"]
