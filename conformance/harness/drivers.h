@@ -1,0 +1,48 @@
+// The drivers of the suite, each in a process of its own, and many scenes through one of them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "conformance/harness/child_process.h"
+#include "conformance/harness/judge.h"
+
+namespace gouraud::conformance {
+
+/// How to start a driver program, scene names to be appended, and what to call it.
+struct Driver {
+  std::string name;
+  Command command;
+};
+
+/// Where the programs and our library lie.
+struct Paths {
+  std::string programs;                    ///< folder of conformance_driver and conformance_oracle_driver
+  std::string our_library;                 ///< libOSMesa.so.8 of this build
+  std::string mesa_library = "libOSMesa.so.8";  ///< found by the system's loader, LD_LIBRARY_PATH left out
+  /// Beside the running program, in the build tree.
+  static Paths of_this_build();
+};
+
+/// Ours; the environment variables GOURAUD_SIMD and GOURAUD_THREADS if not empty; without coverage if `plain`.
+struct OurSettings {
+  std::string simd, threads;
+  bool plain = false;
+  std::vector<std::pair<std::string, std::string>> environment{};
+};
+Driver our_driver(const Paths& paths, const OurSettings& settings = {});
+
+/// Mesa's, with the settings that make its pixels the same on every host (MESA-RULES 1).
+Driver llvmpipe_driver(const Paths& paths);
+Driver softpipe_driver(const Paths& paths);
+Driver oracle_driver(const Paths& paths);
+
+using Renderings = std::map<std::string, Rendering, std::less<>>;
+
+/// Draws the scenes through one process of the driver. A scene that brings the process down, or takes longer than two
+/// minutes, fails; the scenes after it go to a new process. A driver that cannot start fails them all.
+Renderings render_all(const Driver& driver, const std::vector<std::string>& scene_names);
+
+}  // namespace gouraud::conformance
