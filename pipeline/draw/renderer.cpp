@@ -67,6 +67,7 @@ struct Renderer::Implementation {
 
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
+  void flush_triangles();
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
   void draw_point(const AssembledPoint& point);
@@ -85,6 +86,8 @@ struct Renderer::Implementation {
   ClipAttributes clip_attributes;
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
+  std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
+  std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
   ProcessedVertices vertices;
 };
@@ -99,13 +102,18 @@ void Renderer::Implementation::run_vertex_stages(const DrawState& state, const P
 }
 
 void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) {
+  ready.push_back(triangle);
+  if (ready.size() == setup_batch) flush_triangles();
+}
+
+void Renderer::Implementation::flush_triangles() {
+  if (ready.empty()) return;
   const std::size_t bytes = record_size(setup);
-  void* record = bins.allocate_record(bytes);
-  if (setup_triangle(setup, vertices, triangle, record)) {
-    bins.add_polygon(*static_cast<PrimitiveRecord*>(record));
-  } else {
-    bins.take_back(bytes);
-  }
+  auto* records = static_cast<std::byte*>(bins.allocate_record(ready.size() * bytes));
+  const std::size_t made = setup_triangles(setup, vertices, ready, records);
+  bins.take_back((ready.size() - made) * bytes);
+  for (std::size_t i = 0; i < made; ++i) bins.add_polygon(*reinterpret_cast<PrimitiveRecord*>(records + i * bytes));
+  ready.clear();
 }
 
 /// Polygon modes [GL1.5 §3.5.4]: the face decides between filling, the boundary edges and their vertices.
@@ -114,6 +122,7 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
   if (is_culled(setup.cull, front)) return;
   const PolygonMode mode = front ? mode_front : mode_back;
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
+  flush_triangles();
   const bool back = setup.two_sided && !front;
   for (std::size_t k = 0; k < 3; ++k) {
     if ((triangle.edges >> k & 1) == 0) continue;
@@ -129,11 +138,13 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
 void Renderer::Implementation::clip_and_draw(const AssembledTriangle& triangle) {
   const auto outcode = [&](std::size_t i) { return vertices.outcode[triangle.vertex[i]]; };
   if ((outcode(0) & outcode(1) & outcode(2)) != 0) return;
-  const std::int32_t count = vertices.count;
+  if (vertices.count + max_clip_vertices > processed_stride) {
+    flush_triangles();
+    vertices.count = batch_count;
+  }
   clipped.clear();
   clip_triangle(triangle, viewport, clip_attributes, vertices, clipped);
   for (const AssembledTriangle& part : clipped) emit(part);
-  vertices.count = count;
 }
 
 void Renderer::Implementation::draw_line(AssembledLine line) {
@@ -198,6 +209,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
 
   // Vertices, then primitives in order.
   self.run_vertex_stages(state, plan, batch);
+  self.batch_count = batch.count;
   for (const PrimitiveRange& range : batch.primitives) {
     self.assembled.triangles.clear();
     self.assembled.lines.clear();
@@ -212,6 +224,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
         self.clip_and_draw(triangle);
       }
     }
+    self.flush_triangles();
     for (const AssembledLine& line : self.assembled.lines) self.draw_line(line);
     for (const AssembledPoint& point : self.assembled.points) self.draw_point(point);
   }

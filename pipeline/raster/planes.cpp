@@ -5,17 +5,6 @@
 namespace gouraud::pipeline {
 namespace {
 
-/// A sample inside the snapped primitive is a convex combination of its vertices moved by at most half a sub-pixel a
-/// coordinate, so a plane leaves the range of its vertices by at most this share of |dx| + |dy|.
-constexpr double snap_overshoot = 0.5 / subpixels;
-
-/// Depth steps of this many units a pixel keep float error inside a block below 1/16 unit.
-constexpr double steep_slope_units = 65536.0;
-constexpr double steep_slope_float = 1.0 / 256.0;
-
-/// Overshoot of a colour that rounding to 8 bits forgives.
-constexpr double harmless_overshoot = 1.0 / 2048.0;
-
 float finite_or_zero(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
 
 std::array<float, 4> channels(const Rgba& color) { return {color.r, color.g, color.b, color.a}; }
@@ -41,7 +30,7 @@ DepthPlane make_depth_plane(const GradientBasis& basis, const std::array<ShadedV
   out.dx = plane.dx;
   out.dy = plane.dy;
   const double slope = std::abs(plane.dx) + std::abs(plane.dy);
-  out.steep = slope > (targets.depth_is_float ? steep_slope_float : steep_slope_units);
+  out.steep = slope > steep_slope(targets);
   return out;
 }
 

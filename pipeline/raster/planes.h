@@ -39,6 +39,16 @@ struct PlaneTargets {
   float color_scale = 1;    ///< colours are stored times this
 };
 
+/// A sample inside the snapped primitive is a convex combination of its vertices moved by at most half a sub-pixel a
+/// coordinate, so a plane leaves the range of its vertices by at most this share of |dx| + |dy|.
+inline constexpr double snap_overshoot = 0.5 / subpixels;
+
+/// Overshoot of a colour, relative to the full range, that rounding to 8 bits forgives.
+inline constexpr double harmless_overshoot = 1.0 / 2048.0;
+
+/// Depth planes steeper than this are evaluated in double: float steps would err by more than 1/16 unit in a block.
+constexpr double steep_slope(const PlaneTargets& targets) { return targets.depth_is_float ? 0.0 : 65536.0; }
+
 /// A vertex as plane setup sees it; for lines the third vertex repeats the second.
 struct ShadedVertex {
   const WindowVertex* window = nullptr;

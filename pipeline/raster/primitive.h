@@ -47,7 +47,7 @@ struct DepthPlane {
   bool steep = false;                 ///< float steps inside a block would err visibly: evaluate in double
 };
 
-struct PrimitiveRecord {
+struct alignas(64) PrimitiveRecord {
   const RasterBinding* binding = nullptr;
   std::array<EdgeFunction, 3> edges{};
   std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor

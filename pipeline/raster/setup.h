@@ -4,6 +4,8 @@
 // functions in exact integers, planes of depth and colour.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "pipeline/draw/draw_state.h"
@@ -44,10 +46,14 @@ inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& ve
   return color;
 }
 
-/// Sets up a filled triangle in `record` (record_size bytes, 64-byte aligned). False if it draws nothing: culled,
-/// without area after snapping, or between the samples.
-bool setup_triangle(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle,
-                    void* record);
+/// Most triangles that one call of setup_triangles takes.
+inline constexpr std::size_t setup_batch = 32;
+
+/// Sets up filled triangles, one record after the other in `records` (record_size bytes each, 64-byte aligned, room for
+/// all). Leaves out those that draw nothing: culled, without area after snapping, or between the samples. Returns the
+/// number of records made; their order is the triangles'.
+std::size_t setup_triangles(const SetupState& state, const ProcessedVertices& vertices,
+                            std::span<const AssembledTriangle> triangles, std::byte* records);
 
 /// Facing of a triangle drawn as lines or points: by the sign of its unsnapped area; zero counts as back
 /// (MESA-RULES 2.5). True for front.

@@ -1,131 +1,340 @@
-// Triangles [GL1.5 §3.5.1]. Facing and culling use the area of the snapped triangle, coverage its edge functions;
-// planes use the unsnapped positions. Window y comes from the top (y_raster), is snapped there, and turned over.
+// Triangles [GL1.5 §3.5.1], several at a time, one a lane. Facing and culling use the area of the snapped triangle,
+// coverage its edge functions; planes use the unsnapped positions. Window y comes from the top (y_raster), is snapped
+// there, and turned over. All arithmetic on snapped positions is exact: integers below 2^53, held in doubles.
 #include <cmath>
+#include <cstring>
 #include <new>
 
 #include "pipeline/raster/setup.h"
+#include "pipeline/simd/dispatch.h"
 
-namespace gouraud::pipeline {
-namespace {
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/raster/triangle_setup.cpp"
+#include <hwy/foreach_target.h>
 
-/// A snapped position, y up, in 1/256 pixel; pixel centres lie at multiples of 256.
-struct SnappedPoint {
-  std::int32_t x = 0, y = 0;
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace gouraud::pipeline::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+using F = hn::Rebind<float, D>;
+using V = hn::Vec<D>;
+using Mask = hn::Mask<D>;
+constexpr std::size_t max_lanes = 8;
+using Lanes = double[max_lanes];
+
+HWY_INLINE V set(double value) { return hn::Set(D(), value); }
+HWY_INLINE V least(V a, V b, V c) { return hn::Min(hn::Min(a, b), c); }
+HWY_INLINE V most(V a, V b, V c) { return hn::Max(hn::Max(a, b), c); }
+
+/// The four floats of one struct a lane, widened.
+struct Quad {
+  V x, y, z, w;
+};
+HWY_INLINE Quad load_quad(const float* floats) {
+  const F f;
+  hn::Vec<F> x, y, z, w;
+  hn::LoadInterleaved4(f, floats, x, y, z, w);
+  const D d;
+  return {hn::PromoteTo(d, x), hn::PromoteTo(d, y), hn::PromoteTo(d, z), hn::PromoteTo(d, w)};
+}
+
+/// Nearest 1/256 pixel, ties to even, rounded in float as MESA-RULES 3 says.
+HWY_INLINE V snap(V coordinate) {
+  const F f;
+  const auto shifted = hn::Sub(hn::DemoteTo(f, coordinate), hn::Set(f, 0.5f));
+  return hn::PromoteTo(D(), hn::Round(hn::Mul(shifted, hn::Set(f, static_cast<float>(subpixels)))));
+}
+
+/// A plane a lane, and how it is made; see planes.h for the scalar form.
+struct Basis {
+  V x0, y0, first_x, first_y, second_x, second_y;
+};
+struct PlaneLanes {
+  V origin, dx, dy;
+};
+HWY_INLINE PlaneLanes make_plane(const Basis& basis, V value0, V rise1, V rise2) {
+  const V dx = hn::Add(hn::Mul(basis.first_x, rise1), hn::Mul(basis.second_x, rise2));
+  const V dy = hn::Add(hn::Mul(basis.first_y, rise1), hn::Mul(basis.second_y, rise2));
+  const V half = set(0.5);
+  const V back = hn::Add(hn::Mul(dx, hn::Sub(basis.x0, half)), hn::Mul(dy, hn::Sub(basis.y0, half)));
+  return {hn::Sub(value0, back), dx, dy};
+}
+HWY_INLINE V slope(const PlaneLanes& plane) { return hn::Add(hn::Abs(plane.dx), hn::Abs(plane.dy)); }
+
+/// What setup has computed, an array of lanes each: the way from vectors into records.
+struct alignas(64) Results {
+  Lanes edge_c[3], edge_a[3], edge_b[3];
+  Lanes x0, y0, x1, y1;
+  Lanes z_origin, z_dx, z_dy, z_minimum, z_maximum;
+  Lanes origin[5], dx[5], dy[5];
+  Lanes minimum[4], maximum[4], inverse_w_minimum;
+  std::uint64_t alive, scissored, steep, front, constant, perspective, clamp;
 };
 
-/// Nearest 1/256 pixel, ties to even, in float as MESA-RULES 3 says.
-std::int32_t snap(float coordinate) { return static_cast<std::int32_t>(std::lrintf((coordinate - 0.5f) * subpixels)); }
-
-SnappedPoint snap(const WindowVertex& vertex, std::int32_t target_height) {
-  return {snap(vertex.x), (target_height - 1) * subpixels - snap(vertex.y_raster)};
+HWY_INLINE std::uint64_t bits_of(Mask mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(D(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
 }
 
-Point2 position(const WindowVertex& vertex, std::int32_t target_height) {
-  return {vertex.x, static_cast<double>(target_height) - static_cast<double>(vertex.y_raster)};
+/// Facing, culling, box and edges, in exact arithmetic on the snapped positions. Leaves `alive` with a bit for each
+/// triangle that may draw.
+struct SnappedTriangles {
+  V x[3], y[3], area;
+};
+HWY_INLINE void set_up_coverage(const SetupState& state, const SnappedTriangles& p, Results& out) {
+  const D d;
+  // Reject what no sample can hit.
+  const V to_pixels = set(1.0 / subpixels);
+  const V x0 = hn::Ceil(hn::Mul(least(p.x[0], p.x[1], p.x[2]), to_pixels));
+  const V y0 = hn::Ceil(hn::Mul(least(p.y[0], p.y[1], p.y[2]), to_pixels));
+  const V x1 = hn::Add(hn::Floor(hn::Mul(most(p.x[0], p.x[1], p.x[2]), to_pixels)), set(1));
+  const V y1 = hn::Add(hn::Floor(hn::Mul(most(p.y[0], p.y[1], p.y[2]), to_pixels)), set(1));
+  const V cut_x0 = hn::Max(x0, set(state.scissor.x0)), cut_y0 = hn::Max(y0, set(state.scissor.y0));
+  const V cut_x1 = hn::Min(x1, set(state.scissor.x1)), cut_y1 = hn::Min(y1, set(state.scissor.y1));
+  hn::Store(cut_x0, d, out.x0);
+  hn::Store(cut_y0, d, out.y0);
+  hn::Store(cut_x1, d, out.x1);
+  hn::Store(cut_y1, d, out.y1);
+  out.scissored = bits_of(hn::Or(hn::Or(hn::Ne(x0, cut_x0), hn::Ne(y0, cut_y0)), hn::Or(hn::Ne(x1, cut_x1), hn::Ne(y1, cut_y1))));
+
+  // Decide facing, cull.
+  const V zero = hn::Zero(d);
+  const Mask counter_clockwise = hn::Gt(p.area, zero);
+  const std::uint64_t ccw = bits_of(counter_clockwise);
+  out.front = state.front_face == FrontFace::ccw ? ccw : ~ccw;
+  const Mask hits = hn::And(hn::And(hn::Lt(cut_x0, cut_x1), hn::Lt(cut_y0, cut_y1)), hn::Ne(p.area, zero));
+  out.alive = bits_of(hits);
+  if (is_culled(state.cull, true)) out.alive &= ~out.front;
+  if (is_culled(state.cull, false)) out.alive &= out.front;
+  if (out.alive == 0) return;
+
+  // Edge functions, positive inside. Left edges and horizontal bottom edges own the samples on them; the others lose
+  // them by one unit (MESA-RULES 3). At pixel (i, j): 256 a i + 256 b j + c >= 0, which floor(c / 256) does not change.
+  const V sign = hn::IfThenElse(counter_clockwise, set(1), set(-1));
+  for (std::size_t from = 0; from < 3; ++from) {
+    const std::size_t to = (from + 1) % 3;
+    const V a = hn::Mul(sign, hn::Sub(p.y[from], p.y[to])), b = hn::Mul(sign, hn::Sub(p.x[to], p.x[from]));
+    const Mask owns = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
+    const V c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, p.x[from]), hn::Mul(b, p.y[from]))), hn::IfThenElse(owns, zero, set(1)));
+    hn::Store(a, d, out.edge_a[from]);
+    hn::Store(b, d, out.edge_b[from]);
+    hn::Store(hn::Floor(hn::Mul(c, to_pixels)), d, out.edge_c[from]);
+  }
 }
 
-/// Twice the signed area: positive for counter-clockwise.
-std::int64_t doubled_area(SnappedPoint a, SnappedPoint b, SnappedPoint c) {
-  return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) - static_cast<std::int64_t>(c.x - a.x) * (b.y - a.y);
+HWY_INLINE void set_up_depth(const SetupState& state, const Basis& basis, const V (&window_z)[3], Results& out) {
+  const D d;
+  V z[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    z[i] = hn::Mul(hn::Min(hn::Max(window_z[i], hn::Zero(d)), set(1)), set(state.targets.depth_scale));
+  }
+  const PlaneLanes plane = make_plane(basis, z[0], hn::Sub(z[1], z[0]), hn::Sub(z[2], z[0]));
+  hn::Store(plane.origin, d, out.z_origin);
+  hn::Store(plane.dx, d, out.z_dx);
+  hn::Store(plane.dy, d, out.z_dy);
+  hn::Store(least(z[0], z[1], z[2]), d, out.z_minimum);
+  hn::Store(most(z[0], z[1], z[2]), d, out.z_maximum);
+  out.steep = bits_of(hn::Gt(slope(plane), set(steep_slope(state.targets))));
 }
 
-/// The edge of a counter-clockwise triangle from `from` to `to`, positive inside. Left edges and horizontal bottom
-/// edges own the samples on them; the others lose them by one unit (MESA-RULES 3).
-EdgeFunction make_edge(SnappedPoint from, SnappedPoint to) {
-  const std::int32_t a = from.y - to.y, b = to.x - from.x;
-  const bool owns_its_samples = a > 0 || (a == 0 && b > 0);
-  const std::int64_t at_origin = -(static_cast<std::int64_t>(a) * from.x + static_cast<std::int64_t>(b) * from.y);
-  // At pixel (i, j): 256 a i + 256 b j + at_origin >= 0, which floor division by 256 does not change.
-  return {(at_origin - (owns_its_samples ? 0 : 1)) >> subpixel_bits, a, b};
-}
+/// Planes of the colours' distance from vertex 0, weighted by 1/w; see make_color_planes in planes.cpp.
+HWY_INLINE void set_up_colors(const SetupState& state, const Basis& basis, const V (&inverse_w)[3], const float* colors,
+                              Results& out) {
+  const D d;
+  const V one = set(1), scale = set(state.targets.color_scale);
+  const Mask perspective = hn::Or(hn::Ne(inverse_w[0], inverse_w[1]), hn::Ne(inverse_w[0], inverse_w[2]));
+  const V largest = hn::Div(one, most(inverse_w[0], inverse_w[1], inverse_w[2]));
+  V q[3];
+  for (std::size_t i = 0; i < 3; ++i) q[i] = hn::IfThenElse(perspective, hn::Mul(inverse_w[i], largest), one);
 
-/// The basis for planes through three positions. Where the unsnapped triangle has no area its plane is not defined;
-/// the snapped one's stands in.
-GradientBasis make_basis(const std::array<Point2, 3>& p, const std::array<SnappedPoint, 3>& snapped) {
-  const auto basis_of = [](const Point2& p0, const Point2& p1, const Point2& p2) {
-    const double x1 = p1.x - p0.x, y1 = p1.y - p0.y, x2 = p2.x - p0.x, y2 = p2.y - p0.y;
-    const double area = x1 * y2 - x2 * y1;
-    const double scale = area == 0.0 ? 0.0 : 1.0 / area;
-    return GradientBasis{p0, {y2 * scale, -x2 * scale}, {-y1 * scale, x1 * scale}};
+  V worst = hn::Zero(d);
+  Mask varies = hn::Lt(one, one), over_one = varies;
+  const Quad c[3] = {load_quad(colors), load_quad(colors + 4 * max_lanes), load_quad(colors + 8 * max_lanes)};
+  const auto channel = [&](std::size_t k, V c0, V c1, V c2) HWY_ATTR {
+    const V rise1 = hn::Mul(hn::Mul(hn::Sub(c1, c0), q[1]), scale), rise2 = hn::Mul(hn::Mul(hn::Sub(c2, c0), q[2]), scale);
+    const PlaneLanes plane = make_plane(basis, hn::Zero(d), rise1, rise2);
+    hn::Store(plane.origin, d, out.origin[k]);
+    hn::Store(plane.dx, d, out.dx[k]);
+    hn::Store(plane.dy, d, out.dy[k]);
+    const V high = most(c0, c1, c2);
+    hn::Store(hn::Mul(hn::Min(least(c0, c1, c2), one), scale), d, out.minimum[k]);
+    hn::Store(hn::Mul(hn::Min(high, one), scale), d, out.maximum[k]);
+    over_one = hn::Or(over_one, hn::Gt(high, one));
+    varies = hn::Or(varies, hn::Or(hn::Ne(c0, c1), hn::Ne(c0, c2)));
+    worst = hn::Max(worst, slope(plane));
   };
-  const GradientBasis basis = basis_of(p[0], p[1], p[2]);
-  if ((basis.first.x != 0.0 || basis.first.y != 0.0) && std::isfinite(basis.first.x + basis.first.y)) return basis;
-  const auto unsnap = [](SnappedPoint s) { return Point2{s.x / 256.0 + 0.5, s.y / 256.0 + 0.5}; };
-  return basis_of(unsnap(snapped[0]), unsnap(snapped[1]), unsnap(snapped[2]));
+  channel(0, c[0].x, c[1].x, c[2].x);
+  channel(1, c[0].y, c[1].y, c[2].y);
+  channel(2, c[0].z, c[1].z, c[2].z);
+  channel(3, c[0].w, c[1].w, c[2].w);
+
+  const PlaneLanes plane = make_plane(basis, q[0], hn::Sub(q[1], q[0]), hn::Sub(q[2], q[0]));
+  hn::Store(plane.origin, d, out.origin[ColorRecord::inverse_w]);
+  hn::Store(plane.dx, d, out.dx[ColorRecord::inverse_w]);
+  hn::Store(plane.dy, d, out.dy[ColorRecord::inverse_w]);
+  const V lowest = least(q[0], q[1], q[2]);
+  hn::Store(lowest, d, out.inverse_w_minimum);
+  const V overshoot = hn::Div(hn::Mul(hn::Add(hn::Div(worst, scale), slope(plane)), set(snap_overshoot)), lowest);
+  out.constant = ~bits_of(varies);
+  out.perspective = bits_of(perspective);
+  out.clamp = bits_of(over_one) | ~bits_of(hn::Lt(overshoot, set(harmless_overshoot)));
 }
 
-/// First pixel whose centre lies at or right of `subpixel`.
-std::int32_t first_pixel_from(std::int32_t subpixel) { return (subpixel + subpixels - 1) >> subpixel_bits; }
+HWY_INLINE void write_color(const SetupState& state, const Results& in, std::size_t lane, const float* colors, ColorRecord& out) {
+  const float* c0 = colors + 4 * lane;
+  if (state.flat || (in.constant >> lane & 1) != 0) {
+    return make_constant_color({c0[0], c0[1], c0[2], c0[3]}, state.targets, out);
+  }
+  for (std::size_t k = 0; k < 5; ++k) {
+    out.origin[k] = in.origin[k][lane];
+    out.dx[k] = in.dx[k][lane];
+    out.dy[k] = in.dy[k][lane];
+  }
+  for (std::size_t k = 5; k < 8; ++k) out.origin[k] = out.dx[k] = out.dy[k] = 0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    out.base[k] = c0[k] * state.targets.color_scale;
+    out.minimum[k] = static_cast<float>(in.minimum[k][lane]);
+    out.maximum[k] = static_cast<float>(in.maximum[k][lane]);
+  }
+  out.inverse_w_minimum = static_cast<float>(in.inverse_w_minimum[lane]);
+  out.inverse_w_maximum = 1.0f;
+  out.variation = (in.perspective >> lane & 1) != 0 ? ColorVariation::perspective : ColorVariation::affine;
+  out.clamp = (in.clamp >> lane & 1) != 0;
+}
 
-}  // namespace
+HWY_INLINE void write_coverage_and_depth(const SetupState& state, const Results& in, std::size_t lane, PrimitiveRecord& out) {
+  out.binding = state.binding;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.edges[k] = {static_cast<std::int64_t>(in.edge_c[k][lane]), static_cast<std::int32_t>(in.edge_a[k][lane]),
+                    static_cast<std::int32_t>(in.edge_b[k][lane])};
+  }
+  out.x0 = static_cast<std::int32_t>(in.x0[lane]);
+  out.y0 = static_cast<std::int32_t>(in.y0[lane]);
+  out.x1 = static_cast<std::int32_t>(in.x1[lane]);
+  out.y1 = static_cast<std::int32_t>(in.y1[lane]);
+  out.scissored = (in.scissored >> lane & 1) != 0;
+  out.depth = {in.z_origin[lane], in.z_dx[lane], in.z_dy[lane], static_cast<float>(in.z_minimum[lane]),
+               static_cast<float>(in.z_maximum[lane]), (in.steep >> lane & 1) != 0};
+}
+
+/// Colours of the alive lanes' vertices: first all vertices 0, then 1, then 2.
+HWY_INLINE void gather_colors(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
+                              const Results& results, float* colors) {
+  for (std::uint64_t left = results.alive; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+    const bool back = state.two_sided && (results.front >> lane & 1) == 0;
+    for (std::size_t i = 0; i < (state.flat ? 1 : 3); ++i) {
+      const std::uint16_t index = state.flat ? triangles[lane].provoking : triangles[lane].vertex[i];
+      const Rgba color = color_of_vertex(state, vertices, index, back);
+      std::memcpy(colors + 4 * (i * max_lanes + lane), &color, sizeof color);
+    }
+  }
+}
+
+/// Sets up to max_lanes triangles.
+HWY_INLINE std::size_t set_up_group(const SetupState& state, const ProcessedVertices& vertices,
+                                    const AssembledTriangle* triangles, std::size_t count, std::byte* records) {
+  const D d;
+  alignas(64) float corners[3 * 4 * max_lanes] = {};
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::memcpy(corners + 4 * (i * max_lanes + lane), &vertices.window[triangles[lane].vertex[i]], sizeof(WindowVertex));
+    }
+  }
+
+  // Snap; find the area.
+  const V height = set(state.target_height_px);
+  SnappedTriangles p;
+  V x[3], y[3], z[3], inverse_w[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Quad corner = load_quad(corners + 4 * i * max_lanes);
+    x[i] = corner.x;
+    y[i] = hn::Sub(height, corner.y);
+    z[i] = corner.z;
+    inverse_w[i] = corner.w;
+    p.x[i] = snap(corner.x);
+    p.y[i] = hn::Sub(hn::Mul(hn::Sub(height, set(1)), set(subpixels)), snap(corner.y));
+  }
+  const auto area_of = [](const V (&px)[3], const V (&py)[3]) HWY_ATTR {
+    return hn::Sub(hn::Mul(hn::Sub(px[1], px[0]), hn::Sub(py[2], py[0])), hn::Mul(hn::Sub(px[2], px[0]), hn::Sub(py[1], py[0])));
+  };
+  p.area = area_of(p.x, p.y);
+  Results results;
+  set_up_coverage(state, p, results);
+  results.alive &= (std::uint64_t{1} << count) - 1;
+  if (results.alive == 0) return 0;
+
+  // The basis of all planes. Where the unsnapped triangle has no area its plane is not defined; the snapped one's stands in.
+  const Mask no_area = hn::Eq(area_of(x, y), hn::Zero(d));
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = hn::IfThenElse(no_area, hn::Add(hn::Mul(p.x[i], set(1.0 / subpixels)), set(0.5)), x[i]);
+    y[i] = hn::IfThenElse(no_area, hn::Add(hn::Mul(p.y[i], set(1.0 / subpixels)), set(0.5)), y[i]);
+  }
+  const V scale = hn::Div(set(1), area_of(x, y));
+  const Basis basis{x[0], y[0], hn::Mul(hn::Sub(y[2], y[0]), scale), hn::Mul(hn::Sub(x[0], x[2]), scale),
+                    hn::Mul(hn::Sub(y[0], y[1]), scale), hn::Mul(hn::Sub(x[1], x[0]), scale)};
+
+  // Lay the planes, write the records.
+  set_up_depth(state, basis, z, results);
+  alignas(64) float colors[3 * 4 * max_lanes] = {};
+  if (state.colors) {
+    gather_colors(state, vertices, triangles, results, colors);
+    if (!state.flat) set_up_colors(state, basis, inverse_w, colors, results);
+  }
+  std::size_t made = 0;
+  for (std::uint64_t left = results.alive; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+    if (state.colors) {
+      auto* primitive = new (records + made * sizeof(ColoredPrimitive)) ColoredPrimitive;
+      write_coverage_and_depth(state, results, lane, primitive->record);
+      write_color(state, results, lane, colors, primitive->color);
+    } else {
+      write_coverage_and_depth(state, results, lane, *new (records + made * sizeof(PrimitiveRecord)) PrimitiveRecord);
+    }
+    ++made;
+  }
+  return made;
+}
+
+std::size_t set_up(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
+                   std::size_t count, std::byte* records) {
+  const std::size_t lanes = hn::Lanes(D());
+  std::size_t made = 0;
+  for (std::size_t i = 0; i < count; i += lanes) {
+    made += set_up_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), records + made * record_size(state));
+  }
+  return made;
+}
+
+}  // namespace gouraud::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gouraud::pipeline {
 
 bool is_culled(CullMode cull, bool front) {
   return cull == CullMode::front_and_back || cull == (front ? CullMode::front : CullMode::back);
 }
 
 bool faces_front(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle) {
-  std::array<Point2, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = position(vertices.window[triangle.vertex[i]], state.target_height_px);
-  const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (p[1].y - p[0].y);
+  std::array<double, 3> x, y;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const WindowVertex& vertex = vertices.window[triangle.vertex[i]];
+    x[i] = vertex.x;
+    y[i] = static_cast<double>(state.target_height_px) - vertex.y_raster;
+  }
+  const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
   return area != 0.0 && (area > 0.0) == (state.front_face == FrontFace::ccw);
 }
 
-bool setup_triangle(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle,
-                    void* memory) {
-  std::array<std::uint16_t, 3> index = triangle.vertex;
-  std::array<SnappedPoint, 3> p;
-  for (std::size_t i = 0; i < 3; ++i) p[i] = snap(vertices.window[index[i]], state.target_height_px);
-
-  // Reject what no sample can hit.
-  const auto [low_x, high_x] = std::minmax({p[0].x, p[1].x, p[2].x});
-  const auto [low_y, high_y] = std::minmax({p[0].y, p[1].y, p[2].y});
-  const PixelRect box{first_pixel_from(low_x), first_pixel_from(low_y), (high_x >> subpixel_bits) + 1,
-                      (high_y >> subpixel_bits) + 1};
-  const PixelRect cut{std::max(box.x0, state.scissor.x0), std::max(box.y0, state.scissor.y0),
-                      std::min(box.x1, state.scissor.x1), std::min(box.y1, state.scissor.y1)};
-  if (cut.empty()) return false;
-
-  // Decide facing, cull.
-  const std::int64_t area = doubled_area(p[0], p[1], p[2]);
-  if (area == 0) return false;
-  const bool front = (area > 0) == (state.front_face == FrontFace::ccw);
-  if (is_culled(state.cull, front)) return false;
-
-  // Go around counter-clockwise. The last vertex stays last.
-  if (area < 0) {
-    std::swap(p[0], p[1]);
-    std::swap(index[0], index[1]);
-  }
-
-  auto& record = state.colors ? (new (memory) ColoredPrimitive)->record : *new (memory) PrimitiveRecord;
-  record.binding = state.binding;
-  record.edges = {make_edge(p[0], p[1]), make_edge(p[1], p[2]), make_edge(p[2], p[0])};
-  record.x0 = cut.x0;
-  record.y0 = cut.y0;
-  record.x1 = cut.x1;
-  record.y1 = cut.y1;
-  record.scissored = !(cut == box);
-
-  // Lay the planes.
-  std::array<ShadedVertex, 3> shaded;
-  std::array<Point2, 3> unsnapped;
-  for (std::size_t i = 0; i < 3; ++i) {
-    shaded[i].window = &vertices.window[index[i]];
-    unsnapped[i] = position(*shaded[i].window, state.target_height_px);
-  }
-  const GradientBasis basis = make_basis(unsnapped, p);
-  record.depth = make_depth_plane(basis, shaded, state.targets);
-  if (!state.colors) return true;
-
-  auto& color = reinterpret_cast<ColoredPrimitive*>(memory)->color;
-  const bool back = state.two_sided && !front;
-  if (state.flat) {
-    make_constant_color(color_of_vertex(state, vertices, triangle.provoking, back), state.targets, color);
-  } else {
-    for (std::size_t i = 0; i < 3; ++i) shaded[i].color = color_of_vertex(state, vertices, index[i], back);
-    make_color_planes(basis, shaded, state.targets, color);
-  }
-  return true;
+std::size_t setup_triangles(const SetupState& state, const ProcessedVertices& vertices,
+                            std::span<const AssembledTriangle> triangles, std::byte* records) {
+  return GOURAUD_SIMD_PICK(set_up)(state, vertices, triangles.data(), triangles.size(), records);
 }
 
 }  // namespace gouraud::pipeline
+#endif
