@@ -72,12 +72,23 @@ class Context {
   void change(std::uint32_t bits) { dirty_ |= bits; }
 
   /// Gives pending vertices to the renderer. Everything that reads or writes the target calls it first.
+  /// choice: only the window system can ask for it between Begin and End, where the specification leaves the outcome
+  /// open; the primitive ends there.
   void flush_vertices();
   /// Draws all that is pending; the target is complete when this returns.
   void finish_rendering();
 
   /// Brings draw_state() and plan() up to date with the state, flushing pending vertices first if they differ.
   void refresh();
+  /// Begin and End [GL1.5 §2.6.1]; begin_primitive refreshes first.
+  void begin_primitive(pipeline::PrimitiveMode mode);
+  void end_primitive();
+  /// For a vertex that the batch has no room for: gives the full batch to the renderer and carries over what the
+  /// primitive still needs (see PrimitiveRange). False if the vertex is not to be kept.
+  bool make_room_for_vertex();
+  /// The material has changed between Begin and End: takes effect from the next vertex on.
+  void apply_material();
+
   const pipeline::DrawState& draw_state() const { return draw_state_; }
   const pipeline::Plan& plan() const { return plan_; }
   TargetInfo target_info() const;
@@ -92,6 +103,7 @@ class Context {
   Immediate immediate;
 
  private:
+  void draw_pending();
   void trace_plan() const;
 
   bool intercepting_ = false;

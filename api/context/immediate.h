@@ -16,7 +16,9 @@ struct Immediate {
   /// pipeline::VertexAttribute bits to keep besides the position.
   std::uint32_t demand = 0;
   bool inside_begin_end = false;
-  /// The material in force after the last vertex of the batch, as the pipeline knows it.
+  /// Of the open primitive.
+  pipeline::PrimitiveMode mode = pipeline::PrimitiveMode::points;
+  /// The material (canonical) for the next vertex; what the batch's first vertex had is in the draw state.
   pipeline::MaterialPair material{};
   pipeline::VertexBatch batch;
 };

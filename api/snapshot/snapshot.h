@@ -25,16 +25,13 @@ enum DirtyBits : std::uint32_t {
 struct TargetInfo {
   std::int32_t width_px = 0, height_px = 0;
   pipeline::TargetFormat format{};
+  std::uint32_t stencil_mask = 0;  ///< 2^stencil bits - 1
 };
 
 /// Brings the parts of `draw_state` that `dirty` names up to date, and those that depend on them. Material parameters
-/// are left alone: see canonical_material.
+/// are left alone: see canonical_material (lighting_snapshot.h).
 void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
                        pipeline::DrawState& draw_state);
-
-/// The material pair as draws with `lighting` see it: initial values without lighting, back equal to front unless
-/// two-sided, parameters that follow the vertex colour or that no light can show at their initial values.
-pipeline::MaterialPair canonical_material(const State& state, const pipeline::LightingState& lighting);
 
 /// What glClear of the buffers in `mask` does under this state [GL1.5 §4.2.3].
 pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask);

@@ -15,6 +15,16 @@ struct ScissorGroup {
   GLsizei width_px = 0, height_px = 0;
 };
 
+/// Attribute group MULTISAMPLE_BIT [GL1.5 Table 6.14]. Without sample buffers none of it has an effect.
+struct MultisampleGroup {
+  bool enabled = true;
+  bool alpha_to_coverage_enabled = false;
+  bool alpha_to_one_enabled = false;
+  bool coverage_enabled = false;
+  float coverage_value = 1.0f;  ///< in [0, 1]
+  bool coverage_inverted = false;
+};
+
 /// Attribute group DEPTH_BUFFER_BIT.
 struct DepthGroup {
   bool test_enabled = false;
@@ -33,6 +43,8 @@ struct StencilGroup {
 struct ColorBufferGroup {
   std::array<bool, 4> write_enabled{true, true, true, true};  ///< R, G, B, A
   glm::vec4 clear_color{0.0f};                                ///< in [0, 1]
+  GLuint index_write_mask = ~0u;  ///< of colour index mode, as clear_index: kept, but there is no such mode
+  float clear_index = 0.0f;
   /// choice: dithering never changes a value, whether enabled or not; Mesa's does neither [GL1.5 §4.1.9].
   bool dither_enabled = true;
 };

@@ -38,6 +38,7 @@ struct State {
   PointGroup point;
   LineGroup line;
   PolygonGroup polygon;
+  MultisampleGroup multisample;
   ScissorGroup scissor;
   DepthGroup depth;
   StencilGroup stencil;

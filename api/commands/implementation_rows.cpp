@@ -1,0 +1,74 @@
+// Rows of [GL1.5 Tables 6.28 to 6.32]: implementation-dependent values, and what the target is made of.
+#include "api/commands/state_rows.h"
+
+namespace gouraud::api {
+namespace {
+
+using enum ValueKind;
+
+template <auto... constants>
+void read_constant(const Context&, StateValue& v) {
+  set(v, constants...);
+}
+
+void read_point_range(const Context&, StateValue& v) { set(v, min_point_size, max_point_size); }
+void read_line_range(const Context&, StateValue& v) { set(v, min_line_width, max_line_width); }
+
+void read_color_bits(const Context& c, StateValue& v) {
+  set(v, pipeline::bytes_per_pixel(c.target_info().format.color) * 2);  // 8 bits to a byte, four components a pixel
+}
+
+void read_depth_bits(const Context& c, StateValue& v) {
+  switch (c.target_info().format.depth) {
+    case pipeline::DepthFormat::none: return set(v, 0);
+    case pipeline::DepthFormat::z16: return set(v, 16);
+    case pipeline::DepthFormat::z24s8: return set(v, 24);
+    case pipeline::DepthFormat::z32f: return set(v, 32);
+  }
+}
+
+void read_stencil_bits(const Context& c, StateValue& v) { set(v, c.target_info().stencil_mask != 0 ? 8 : 0); }
+
+constexpr StateRow rows[] = {
+    {GL_MAX_LIGHTS, integer, 1, read_constant<max_lights>},
+    {GL_MAX_CLIP_PLANES, integer, 1, read_constant<max_clip_planes>},
+    {GL_MAX_MODELVIEW_STACK_DEPTH, integer, 1, read_constant<max_modelview_stack_depth>},
+    {GL_MAX_PROJECTION_STACK_DEPTH, integer, 1, read_constant<max_projection_stack_depth>},
+    {GL_MAX_TEXTURE_STACK_DEPTH, integer, 1, read_constant<max_texture_stack_depth>},
+    {GL_MAX_TEXTURE_UNITS, integer, 1, read_constant<max_texture_units>},
+    {GL_MAX_VIEWPORT_DIMS, integer, 2, read_constant<max_target_size_px, max_target_size_px>},
+    {GL_SUBPIXEL_BITS, integer, 1, read_constant<subpixel_bits>},
+    {GL_ALIASED_POINT_SIZE_RANGE, real, 2, read_point_range},
+    {GL_SMOOTH_POINT_SIZE_RANGE, real, 2, read_point_range},
+    {GL_SMOOTH_POINT_SIZE_GRANULARITY, real, 1,
+     [](const Context&, StateValue& v) { set(v, point_size_granularity); }},
+    {GL_ALIASED_LINE_WIDTH_RANGE, real, 2, read_line_range},
+    {GL_SMOOTH_LINE_WIDTH_RANGE, real, 2, read_line_range},
+    {GL_SMOOTH_LINE_WIDTH_GRANULARITY, real, 1,
+     [](const Context&, StateValue& v) { set(v, line_width_granularity); }},
+
+    {GL_RGBA_MODE, boolean, 1, read_constant<true>},
+    {GL_INDEX_MODE, boolean, 1, read_constant<false>},
+    {GL_DOUBLEBUFFER, boolean, 1, read_constant<false>},
+    {GL_STEREO, boolean, 1, read_constant<false>},
+    {GL_AUX_BUFFERS, integer, 1, read_constant<0>},
+    {GL_SAMPLE_BUFFERS, integer, 1, read_constant<0>},
+    {GL_SAMPLES, integer, 1, read_constant<0>},
+    {GL_RED_BITS, integer, 1, read_color_bits},
+    {GL_GREEN_BITS, integer, 1, read_color_bits},
+    {GL_BLUE_BITS, integer, 1, read_color_bits},
+    {GL_ALPHA_BITS, integer, 1, read_color_bits},
+    {GL_INDEX_BITS, integer, 1, read_constant<0>},
+    {GL_DEPTH_BITS, integer, 1, read_depth_bits},
+    {GL_STENCIL_BITS, integer, 1, read_stencil_bits},
+    {GL_ACCUM_RED_BITS, integer, 1, read_constant<0>},
+    {GL_ACCUM_GREEN_BITS, integer, 1, read_constant<0>},
+    {GL_ACCUM_BLUE_BITS, integer, 1, read_constant<0>},
+    {GL_ACCUM_ALPHA_BITS, integer, 1, read_constant<0>},
+};
+
+}  // namespace
+
+std::span<const StateRow> implementation_rows() { return rows; }
+
+}  // namespace gouraud::api

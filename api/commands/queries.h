@@ -1,0 +1,21 @@
+// Queries of state [GL1.5 §2.5, §6.1.1, §6.1.2, §6.1.11].
+#pragma once
+
+#include <GL/gl.h>
+
+#include "api/context/context.h"
+
+namespace gouraud::api {
+
+GLenum GetError(Context& context);
+
+/// GL_INVALID_ENUM and null unless VENDOR, RENDERER, VERSION or EXTENSIONS.
+const GLubyte* GetString(Context& context, GLenum name);
+
+/// Values of the state table (state_table.h) or of a capability, converted; GL_INVALID_ENUM for what is neither.
+void GetBooleanv(Context& context, GLenum pname, GLboolean* data);
+void GetIntegerv(Context& context, GLenum pname, GLint* data);
+void GetFloatv(Context& context, GLenum pname, GLfloat* data);
+void GetDoublev(Context& context, GLenum pname, GLdouble* data);
+
+}  // namespace gouraud::api

@@ -1,0 +1,22 @@
+// Points, lines and polygons [GL1.5 §3.3, §3.4, §3.5.1, §3.5.4], the face directions of §2.14.1, and SampleCoverage.
+#pragma once
+
+#include <GL/gl.h>
+
+#include "api/context/context.h"
+
+namespace gouraud::api {
+
+/// Both: GL_INVALID_VALUE unless greater than 0.
+void PointSize(Context& context, GLfloat size);
+void LineWidth(Context& context, GLfloat width);
+
+/// All: GL_INVALID_ENUM for unknown values.
+void FrontFace(Context& context, GLenum mode);
+void CullFace(Context& context, GLenum mode);
+void PolygonMode(Context& context, GLenum face, GLenum mode);
+
+/// `value` is clamped to [0, 1] [GL1.5 §4.1.3].
+void SampleCoverage(Context& context, GLfloat value, GLboolean invert);
+
+}  // namespace gouraud::api

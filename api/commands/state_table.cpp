@@ -1,0 +1,36 @@
+#include "api/commands/state_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gouraud::api {
+namespace {
+
+std::vector<StateRow> sorted_rows() {
+  std::vector<StateRow> rows;
+  for (const auto part : {vertex_state_rows(), fragment_state_rows(), implementation_rows()}) {
+    rows.insert(rows.end(), part.begin(), part.end());
+  }
+  std::sort(rows.begin(), rows.end(), [](const StateRow& a, const StateRow& b) { return a.pname < b.pname; });
+  return rows;
+}
+
+}  // namespace
+
+const StateRow* find_state_row(GLenum pname) {
+  static const std::vector<StateRow> rows = sorted_rows();
+  const auto found = std::lower_bound(rows.begin(), rows.end(), pname,
+                                      [](const StateRow& row, GLenum name) { return row.pname < name; });
+  return found != rows.end() && found->pname == pname ? &*found : nullptr;
+}
+
+GLint to_integer(double value, ValueKind kind) {
+  if (std::isnan(value)) return 0;
+  if (kind == ValueKind::normalized) value = (4294967295.0 * value - 1.0) / 2.0;  // [GL1.5 Table 4.6]
+  if (value >= 2147483647.0) return 2147483647;
+  if (value <= -2147483648.0) return -2147483647 - 1;
+  return static_cast<GLint>(std::nearbyint(value));
+}
+
+}  // namespace gouraud::api

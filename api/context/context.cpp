@@ -1,0 +1,160 @@
+#include "api/context/context.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "api/gouraud.h"
+
+namespace gouraud {
+namespace api {
+
+constinit thread_local Context* current_context_pointer = nullptr;
+
+namespace {
+
+// True if the comma-separated list in GOURAUD_TRACE names `topic`.
+bool traces(std::string_view topic) {
+  const char* const list = std::getenv("GOURAUD_TRACE");
+  std::string_view rest = list != nullptr ? list : "";
+  while (!rest.empty()) {
+    const std::size_t comma = rest.find(',');
+    if (rest.substr(0, comma) == topic) return true;
+    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
+  }
+  return false;
+}
+
+bool is_set(const char* variable) {
+  const char* const value = std::getenv(variable);
+  return value != nullptr && std::string_view(value) == "1";
+}
+
+const char* error_name(GLenum error) {
+  switch (error) {
+    case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
+    case GL_STACK_OVERFLOW: return "GL_STACK_OVERFLOW";
+    case GL_STACK_UNDERFLOW: return "GL_STACK_UNDERFLOW";
+    case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
+    default: return "error";
+  }
+}
+
+void release(Context& context) {
+  context.finish_rendering();
+  if (context.copy_out) context.copy_out();
+}
+
+}  // namespace
+
+void make_current(Context* context) {
+  Context* const old = current_context();
+  if (old == context) return;
+  if (old != nullptr) release(*old);
+  current_context_pointer = context;
+}
+
+pipeline::DepthFormat depth_format(const ContextConfig& config) {
+  if (config.depth_bits <= 0) return pipeline::DepthFormat::none;
+  if (config.depth_bits > 24) return pipeline::DepthFormat::z32f;
+  return config.depth_bits > 16 || config.stencil_bits > 0 ? pipeline::DepthFormat::z24s8 : pipeline::DepthFormat::z16;
+}
+
+Context::Context(const ContextConfig& config, Context*)
+    : tracing_calls_(traces("calls")),
+      tracing_errors_(traces("errors")),
+      tracing_plans_(traces("plan")),
+      aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),
+      config_(config),
+      renderer_(pipeline::default_thread_count()) {
+  intercepting_ = tracing_calls_;
+}
+
+Context::~Context() {
+  if (current_context() == this) current_context_pointer = nullptr;
+}
+
+void Context::record_error(GLenum error, const char* command, const char* message) {
+  if (error_ == GL_NO_ERROR) error_ = error;
+  if (!tracing_errors_ && !aborting_on_error_) return;
+  std::fprintf(stderr, "gouraud: %s: %s: %s\n", command, error_name(error), message);
+  if (aborting_on_error_) std::abort();
+}
+
+GLenum Context::take_error() { return std::exchange(error_, static_cast<GLenum>(GL_NO_ERROR)); }
+
+bool Context::set_target_size(int width_px, int height_px, pipeline::ColorFormat color_format) {
+  if (width_px < 1 || width_px > max_target_size_px || height_px < 1 || height_px > max_target_size_px) return false;
+  if (target_ != nullptr && target_->width_px == width_px && target_->height_px == height_px &&
+      target_->color_format == color_format) {
+    return true;
+  }
+  flush_vertices();
+  try {
+    auto fresh = std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, depth_format(config_),
+                                                         config_.stencil_bits > 0 ? 8 : 0);
+    renderer_.set_target(fresh.get());
+    target_ = std::move(fresh);
+  } catch (const std::bad_alloc&) {
+    renderer_.set_target(target_.get());
+    return false;
+  }
+  if (!had_target_) {
+    state.viewport.width_px = state.scissor.width_px = width_px;
+    state.viewport.height_px = state.scissor.height_px = height_px;
+    had_target_ = true;
+  }
+  change(dirty_all);
+  return true;
+}
+
+TargetInfo Context::target_info() const {
+  if (target_ == nullptr) return {};
+  const std::uint32_t stencil_mask = target_->stencil_bits > 0 ? (1u << target_->stencil_bits) - 1u : 0u;
+  return {target_->width_px, target_->height_px, {target_->color_format, target_->depth_format}, stencil_mask};
+}
+
+void Context::finish_rendering() {
+  flush_vertices();
+  renderer_.finish();
+}
+
+void Context::refresh() {
+  const std::uint32_t dirty = dirty_;
+  if (dirty == 0) return;
+  if ((dirty & ~dirty_material) != 0) {
+    const TargetInfo target = target_info();
+    pipeline::DrawState next = draw_state_;
+    update_draw_state(state, target, dirty, next);
+    if (next != draw_state_) {
+      flush_vertices();
+      next.lighting.material = draw_state_.lighting.material;
+      draw_state_ = next;
+      plan_ = pipeline::make_plan(draw_state_, target.format);
+    }
+  }
+  if ((dirty & ~(dirty_transform | dirty_viewport)) != 0) apply_material();
+  dirty_ = 0;
+}
+
+void Context::trace_plan() const {
+  const pipeline::VertexBatch& batch = immediate.batch;
+  std::fprintf(stderr, "gouraud: draw of %d vertices in %zu primitives\n%s", batch.count, batch.primitives.size(),
+               pipeline::describe(plan_, draw_state_, target_info().format).c_str());
+}
+
+}  // namespace api
+
+bool set_draw_observer(pipeline::DrawObserver* observer) {
+  api::Context* const context = api::current_context();
+  if (context == nullptr) return false;
+  context->flush_vertices();
+  context->renderer().set_observer(observer);
+  return true;
+}
+
+}  // namespace gouraud

@@ -1,0 +1,168 @@
+// Immediate mode's batches: takes vertices between Begin and End, gives full or finished batches to the renderer
+// [GL1.5 §2.6.1]. How a primitive that is longer than a batch is cut stands at PrimitiveRange.
+#include "api/context/immediate.h"
+
+#include <array>
+
+#include "api/context/context.h"
+#include "api/snapshot/lighting_snapshot.h"
+
+namespace gouraud::api {
+namespace {
+
+using pipeline::PrimitiveMode;
+using pipeline::VertexBatch;
+
+/// A Begin starts a new batch if less room than this is left: enough for any cut to carry its vertices over.
+constexpr std::int32_t least_room = 12;
+
+// The number of vertices by whole multiples of which a range may be cut.
+constexpr std::int32_t cut_multiple(PrimitiveMode mode) {
+  switch (mode) {
+    case PrimitiveMode::triangles: return 3;
+    case PrimitiveMode::quads: return 4;
+    case PrimitiveMode::lines:
+    case PrimitiveMode::triangle_strip:
+    case PrimitiveMode::quad_strip: return 2;
+    default: return 1;
+  }
+}
+
+constexpr std::int32_t limit_of(PrimitiveMode mode, std::int32_t first) {
+  const std::int32_t multiple = cut_multiple(mode);
+  return first + (pipeline::batch_capacity - first) / multiple * multiple;
+}
+
+struct Carried {
+  int count = 0;
+  std::array<std::int32_t, 2> from{};  // vertices of the old batch
+};
+
+Carried vertices_to_carry(const pipeline::PrimitiveRange& range) {
+  const std::int32_t last = range.first + range.count - 1;
+  switch (range.mode) {
+    case PrimitiveMode::line_strip: return {1, {last, 0}};
+    case PrimitiveMode::triangle_strip:
+    case PrimitiveMode::quad_strip: return {2, {last - 1, last}};
+    case PrimitiveMode::triangle_fan:
+    case PrimitiveMode::polygon:
+    case PrimitiveMode::line_loop: return {2, {range.first, last}};
+    default: return {};
+  }
+}
+
+// from >= to.
+void move_vertex(VertexBatch& batch, std::int32_t from, std::int32_t to) {
+  const auto source = static_cast<std::size_t>(from), target = static_cast<std::size_t>(to);
+  for (auto& component : batch.position_object) component[target] = component[source];
+  for (auto& component : batch.normal_object) component[target] = component[source];
+  for (auto& component : batch.color) component[target] = component[source];
+}
+
+pipeline::MaterialPair material_at(const VertexBatch& batch, const pipeline::MaterialPair& first, std::int32_t vertex) {
+  pipeline::MaterialPair result = first;
+  for (const pipeline::MaterialRun& run : batch.material_runs) {
+    if (run.first <= vertex) result = run.material;
+  }
+  return result;
+}
+
+// From the batch's next vertex on `material` applies.
+void append_material(VertexBatch& batch, const pipeline::MaterialPair& material) {
+  if (!batch.material_runs.empty() && batch.material_runs.back().first == batch.count) {
+    batch.material_runs.back().material = material;
+  } else {
+    batch.material_runs.push_back({batch.count, material});
+  }
+}
+
+}  // namespace
+
+void Context::draw_pending() {
+  VertexBatch& batch = immediate.batch;
+  if (batch.count > 0) {
+    if (!batch.material_runs.empty() && batch.material_runs.back().first == batch.count) batch.material_runs.pop_back();
+    if (tracing_plans_) trace_plan();
+    try {
+      renderer_.draw(draw_state_, plan_, batch);
+    } catch (...) {  // no memory: these vertices are lost, and the rest of an open primitive with them
+      batch.clear();
+      immediate.limit = 0;
+      throw;
+    }
+  }
+  batch.clear();
+  draw_state_.lighting.material = immediate.material;
+}
+
+void Context::flush_vertices() {
+  if (immediate.inside_begin_end) end_primitive();
+  if (immediate.batch.count > 0) draw_pending();
+}
+
+void Context::begin_primitive(PrimitiveMode mode) {
+  refresh();
+  VertexBatch& batch = immediate.batch;
+  if (plan_.draws && target_ != nullptr) {
+    if (batch.count > pipeline::batch_capacity - least_room) draw_pending();
+    batch.primitives.push_back({mode, true, true, batch.count, 0});
+    immediate.limit = limit_of(mode, batch.count);
+    immediate.demand = plan_.vertex_demand;
+  }
+  immediate.mode = mode;
+  immediate.inside_begin_end = true;
+}
+
+void Context::end_primitive() {
+  immediate.inside_begin_end = false;
+  if (immediate.limit == 0) return;
+  immediate.limit = 0;
+  VertexBatch& batch = immediate.batch;
+  pipeline::PrimitiveRange& range = batch.primitives.back();
+  range.count = batch.count - range.first;
+  if (range.count == 0) batch.primitives.pop_back();
+}
+
+bool Context::make_room_for_vertex() {
+  if (immediate.limit == 0) return false;
+  VertexBatch& batch = immediate.batch;
+  batch.primitives.back().ends = false;
+  batch.primitives.back().count = batch.count - batch.primitives.back().first;
+  const Carried carried = vertices_to_carry(batch.primitives.back());
+  std::array<pipeline::MaterialPair, 2> materials{};
+  for (int i = 0; i < carried.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    materials[k] = material_at(batch, draw_state_.lighting.material, carried.from[k]);
+  }
+  draw_pending();
+  batch.primitives.push_back({immediate.mode, false, true, 0, 0});
+  immediate.limit = limit_of(immediate.mode, 0);
+
+  // The carried vertices keep their materials; then comes the one in force now.
+  for (int i = 0; i < carried.count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (i == 0) {
+      draw_state_.lighting.material = materials[0];
+    } else if (materials[k] != materials[k - 1]) {
+      append_material(batch, materials[k]);
+    }
+    move_vertex(batch, carried.from[k], batch.count++);
+  }
+  if (carried.count > 0 && immediate.material != materials[static_cast<std::size_t>(carried.count - 1)]) {
+    append_material(batch, immediate.material);
+  }
+  return true;
+}
+
+void Context::apply_material() {
+  const pipeline::MaterialPair material = canonical_material(state.lighting, draw_state_.lighting);
+  if (material == immediate.material) return;
+  if (immediate.batch.count > 0) {
+    append_material(immediate.batch, material);
+  } else {
+    draw_state_.lighting.material = material;
+  }
+  immediate.material = material;
+}
+
+}  // namespace gouraud::api

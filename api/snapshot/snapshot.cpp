@@ -1,0 +1,144 @@
+#include "api/snapshot/snapshot.h"
+
+#include <algorithm>
+
+#include "api/snapshot/enums.h"
+#include "api/snapshot/lighting_snapshot.h"
+#include "api/state/matrix.h"
+
+namespace gouraud::api {
+namespace {
+
+// x + width may exceed 32 bits; the target's sides do not.
+std::int32_t clamp_edge(std::int64_t edge, std::int32_t side) {
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(edge, 0, side));
+}
+
+// The pixels that may be written: scissor box, if enabled, and target, intersected [GL1.5 §4.1.2].
+pipeline::PixelRect writable_rect(const ScissorGroup& scissor, const TargetInfo& target) {
+  const pipeline::PixelRect all{0, 0, target.width_px, target.height_px};
+  if (!scissor.enabled) return all;
+  const std::int64_t x = scissor.x, y = scissor.y;
+  const pipeline::PixelRect box{clamp_edge(x, all.x1), clamp_edge(y, all.y1),
+                                clamp_edge(x + scissor.width_px, all.x1), clamp_edge(y + scissor.height_px, all.y1)};
+  return box.empty() ? pipeline::PixelRect{} : box;
+}
+
+std::uint8_t color_write_mask(const ColorBufferGroup& group, const TargetInfo& target) {
+  if (target.format.color == pipeline::ColorFormat::none) return 0;
+  const auto& enabled = group.write_enabled;
+  return static_cast<std::uint8_t>(enabled[0] | enabled[1] << 1 | enabled[2] << 2 | enabled[3] << 3);
+}
+
+pipeline::DepthState depth_state(const DepthGroup& group, const TargetInfo& target) {
+  const pipeline::CompareFunc func = compare_func(group.func);
+  const bool exists = group.test_enabled && target.format.depth != pipeline::DepthFormat::none;
+  if (!exists || (func == pipeline::CompareFunc::always && !group.write_enabled)) return {};
+  // What never passes never writes.
+  return {true, group.write_enabled && func != pipeline::CompareFunc::never, func};
+}
+
+pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
+  return {writable_rect(state.scissor, target), depth_state(state.depth, target),
+          color_write_mask(state.color_buffer, target)};
+}
+
+pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
+  const PolygonGroup& polygon = state.polygon;
+  pipeline::AssemblyState result;
+  if (colors_matter && state.lighting.shade_model == GL_FLAT) result.shade_model = pipeline::ShadeModel::flat;
+  if (polygon.cull_enabled) result.cull = cull_mode(polygon.cull_face);
+
+  // A culled face has no mode, and one that nothing tells from the other has no direction.
+  const bool front_drawn = result.cull == pipeline::CullMode::none || result.cull == pipeline::CullMode::back;
+  const bool back_drawn = result.cull == pipeline::CullMode::none || result.cull == pipeline::CullMode::front;
+  if (front_drawn) result.polygon_mode_front = polygon_mode(polygon.front_mode);
+  if (back_drawn) result.polygon_mode_back = polygon_mode(polygon.back_mode);
+  const bool two_sided = colors_matter && state.lighting.enabled && state.lighting.model_two_side;
+  const bool faces_differ = front_drawn != back_drawn || (front_drawn && (polygon.front_mode != polygon.back_mode || two_sided));
+  if (faces_differ && polygon.front_face == GL_CW) result.front_face = pipeline::FrontFace::cw;
+  return result;
+}
+
+pipeline::ViewportState viewport_state(const State& state, const TargetInfo& target, bool depth_matters) {
+  const ViewportGroup& viewport = state.viewport;
+  pipeline::ViewportState result{viewport.x, viewport.y, viewport.width_px, viewport.height_px};
+  result.target_height_px = target.height_px;
+  if (depth_matters) {
+    result.depth_near = viewport.depth_near;
+    result.depth_far = viewport.depth_far;
+  }
+  return result;
+}
+
+pipeline::TransformState transform_state(const State& state, bool normals_matter) {
+  pipeline::TransformState result;
+  result.modelview = state.matrices.modelview.top();
+  result.projection = state.matrices.projection.top();
+  result.modelview_projection = product(result.projection, result.modelview);
+  if (!normals_matter) return result;
+
+  result.normal_matrix = normal_matrix(result.modelview);
+  if (state.transform.normalize_enabled) {
+    result.normal_scaling = pipeline::NormalScaling::normalize;
+  } else if (state.transform.rescale_normal_enabled) {
+    result.normal_scaling = pipeline::NormalScaling::rescale;
+    result.rescale_factor = rescale_factor(result.modelview);
+  }
+  return result;
+}
+
+bool normals_matter(const pipeline::LightingState& lighting) { return lighting.enabled && lighting.light_count > 0; }
+
+}  // namespace
+
+// Parts are computed in an order in which each depends only on those before; a part that depends on a fact of an
+// earlier one is computed again when that fact changes.
+void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
+                       pipeline::DrawState& draw_state) {
+  const pipeline::RasterState old_raster = draw_state.raster;
+  if (dirty & dirty_raster) draw_state.raster = raster_state(state, target);
+  const bool colors_matter = draw_state.raster.color_write_mask != 0;
+  if (colors_matter != (old_raster.color_write_mask != 0)) dirty |= dirty_assembly | dirty_lighting;
+  if (draw_state.raster.depth.test_enabled != old_raster.depth.test_enabled) dirty |= dirty_viewport;
+
+  const pipeline::CullMode old_cull = draw_state.assembly.cull;
+  if (dirty & (dirty_assembly | dirty_lighting)) draw_state.assembly = assembly_state(state, colors_matter);
+  if (draw_state.assembly.cull != old_cull) dirty |= dirty_lighting;
+
+  const bool old_normals_matter = normals_matter(draw_state.lighting);
+  if (dirty & dirty_lighting) {
+    update_lighting(state.lighting, colors_matter, draw_state.assembly.cull, draw_state.lighting);
+  }
+  const bool new_normals_matter = normals_matter(draw_state.lighting);
+  if (new_normals_matter != old_normals_matter) dirty |= dirty_transform;
+
+  if (dirty & dirty_transform) draw_state.transform = transform_state(state, new_normals_matter);
+  if (dirty & dirty_viewport) {
+    draw_state.viewport = viewport_state(state, target, draw_state.raster.depth.test_enabled);
+  }
+}
+
+pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask) {
+  pipeline::ClearState result;
+  result.scissor = writable_rect(state.scissor, target);
+  if ((mask & GL_COLOR_BUFFER_BIT) != 0 && color_write_mask(state.color_buffer, target) != 0) {
+    result.color = true;
+    result.color_write_mask = color_write_mask(state.color_buffer, target);
+    result.clear_color = state.color_buffer.clear_color;
+  }
+  if ((mask & GL_DEPTH_BUFFER_BIT) != 0 && state.depth.write_enabled &&
+      target.format.depth != pipeline::DepthFormat::none) {
+    result.depth = true;
+    result.clear_depth = state.depth.clear_value;
+  }
+  const std::uint32_t stencil_mask = state.stencil.write_mask & target.stencil_mask;
+  if ((mask & GL_STENCIL_BUFFER_BIT) != 0 && stencil_mask != 0) {
+    result.stencil = true;
+    result.clear_stencil = static_cast<std::uint32_t>(state.stencil.clear_value) & target.stencil_mask;
+    result.stencil_write_mask = stencil_mask;
+  }
+  return result;
+}
+
+}  // namespace gouraud::api
