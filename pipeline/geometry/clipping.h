@@ -1,0 +1,34 @@
+// Triangles and lines cut at the clip volume [GL1.5 §2.12].
+#pragma once
+
+#include <vector>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/geometry/processed_vertices.h"
+
+namespace gouraud::pipeline {
+
+/// What the clipper interpolates beside the clip position.
+struct ClipAttributes {
+  bool eye = false, color_front = false, color_back = false, specular = false;
+};
+
+/// Most vertices that one primitive can add: two a plane, of the frustum's six and the user's.
+inline constexpr int max_clip_vertices = 2 * (6 + max_clip_planes);
+
+/// Cuts a triangle some of whose vertices have outcodes and appends what is left, as a fan, to `out`. New vertices go to
+/// the end of `vertices`: the caller guarantees vertices.count + max_clip_vertices <= processed_stride.
+///
+/// Mesa's order of planes and direction of interpolation, in float (MESA-RULES 2.4), so that coverage has Mesa's bits.
+/// A triangle with an invalid vertex, or with an infinite distance from a plane, is dropped. The provoking vertex stays
+/// the triangle's, even if it was cut off: its colours are still there.
+/// deviation: edges that run along the clip volume are boundary edges [GL1.5 §2.12]; Mesa does not draw them.
+void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewport, const ClipAttributes& attributes,
+                   ProcessedVertices& vertices, std::vector<AssembledTriangle>& out);
+
+/// Cuts a line some of whose vertices have outcodes; new vertices as for triangles. False if nothing is left. In double:
+/// a line that passes through the clip volume is not lost, however far away its ends are.
+bool clip_line(AssembledLine& line, const ViewportState& viewport, const ClipAttributes& attributes,
+               ProcessedVertices& vertices);
+
+}  // namespace gouraud::pipeline
