@@ -40,7 +40,8 @@ RULES = {
     "api": {"GL/gl.h", "GL/osmesa.h", "api"},
     "api/state": {"GL/gl.h", "pipeline/draw/draw_state.h"},  # for the limits that both must agree on
     "api/context": {"GL/gl.h", "api", "pipeline/draw", "pipeline/geometry/vertex_batch.h", "pipeline/framebuffer"},
-    "api/commands": {"GL/gl.h", "api/state", "api/context", "api/registry", "api/snapshot"},
+    "api/commands": {"GL/gl.h", "api/state", "api/context", "api/registry", "api/snapshot",
+                     "pipeline/simd/dispatch.h"},  # GL_RENDERER names the instruction set
     "api/snapshot": {"GL/gl.h", "api/state", "api/context", "pipeline/draw"} | STAGE_DATA,
     "api/osmesa": {"GL/gl.h", "GL/osmesa.h", "api", "pipeline/draw", "pipeline/framebuffer"},
     "pipeline/draw": {"pipeline"},
