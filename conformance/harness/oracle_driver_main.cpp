@@ -9,24 +9,30 @@
 #include <string>
 #include <vector>
 
+#include <GL/osmesa.h>
+
 #include "api/gouraud.h"
 #include "conformance/harness/offscreen.h"
 #include "conformance/harness/render_scene.h"
 #include "conformance/oracle/oracle.h"
 
-extern "C" {
-void* OSMesaCreateContextExt(GLenum format, GLint depth_bits, GLint stencil_bits, GLint accum_bits, void* share);
-void OSMesaDestroyContext(void* context);
-GLboolean OSMesaMakeCurrent(void* context, void* buffer, GLenum type, GLsizei width_px, GLsizei height_px);
-GLboolean OSMesaGetDepthBuffer(void* context, GLint* width_px, GLint* height_px, GLint* bytes_per_value, void** buffer);
-void* OSMesaGetProcAddress(const char* name);
-}
-
 namespace gouraud::conformance {
 namespace {
 
-constexpr OsmesaFunctions linked_osmesa{&OSMesaCreateContextExt, &OSMesaDestroyContext, &OSMesaMakeCurrent,
-                                        &OSMesaGetDepthBuffer, &OSMesaGetProcAddress};
+const OsmesaFunctions linked_osmesa{
+    .CreateContextExt = [](GLenum format, GLint depth, GLint stencil, GLint accum, void* share) -> void* {
+      return OSMesaCreateContextExt(format, depth, stencil, accum, static_cast<OSMesaContext>(share));
+    },
+    .DestroyContext = [](void* context) { OSMesaDestroyContext(static_cast<OSMesaContext>(context)); },
+    .MakeCurrent =
+        [](void* context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
+          return OSMesaMakeCurrent(static_cast<OSMesaContext>(context), buffer, type, width, height);
+        },
+    .GetDepthBuffer =
+        [](void* context, GLint* width, GLint* height, GLint* bytes, void** buffer) {
+          return OSMesaGetDepthBuffer(static_cast<OSMesaContext>(context), width, height, bytes, buffer);
+        },
+    .GetProcAddress = [](const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }};
 
 Picture picture_of(const oracle::OraclePicture& exact) {
   Picture picture;
