@@ -34,10 +34,16 @@ inline void MultiTexCoord4f(Context& context, GLenum texture, GLfloat s, GLfloat
   context.state.current.texture_coordinates[unit] = glm::vec4(s, t, r, q);
 }
 
-inline void FogCoordf(Context& context, GLfloat coordinate) { context.state.current.fog_coordinate = coordinate; }
+inline void FogCoordf(Context& context, GLfloat coordinate) {
+  context.state.current.fog_coordinate = coordinate;
+}
 
-inline void EdgeFlag(Context& context, GLboolean flag) { context.state.current.edge_flag = flag != GL_FALSE; }
+inline void EdgeFlag(Context& context, GLboolean flag) {
+  context.state.current.edge_flag = flag != GL_FALSE;
+}
 
-inline void Indexf(Context& context, GLfloat index) { context.state.current.color_index = index; }
+inline void Indexf(Context& context, GLfloat index) {
+  context.state.current.color_index = index;
+}
 
 }  // namespace gouraud::api

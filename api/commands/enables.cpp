@@ -17,27 +17,45 @@ void set_enabled(Context& context, GLenum cap, bool enabled, const char* command
 }  // namespace
 
 Capability find_capability(State& state, GLenum cap) {
-  if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights)) return {&state.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
+  if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights))
+    return {&state.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
   switch (cap) {
-    case GL_COLOR_MATERIAL: return {&state.lighting.color_material_enabled, dirty_lighting};
-    case GL_CULL_FACE: return {&state.polygon.cull_enabled, dirty_assembly};
-    case GL_DEPTH_TEST: return {&state.depth.test_enabled, dirty_raster};
-    case GL_DITHER: return {&state.color_buffer.dither_enabled, 0};
-    case GL_LIGHTING: return {&state.lighting.enabled, dirty_lighting};
-    case GL_MULTISAMPLE: return {&state.multisample.enabled, 0};
-    case GL_NORMALIZE: return {&state.transform.normalize_enabled, dirty_transform};
-    case GL_RESCALE_NORMAL: return {&state.transform.rescale_normal_enabled, dirty_transform};
-    case GL_SAMPLE_ALPHA_TO_COVERAGE: return {&state.multisample.alpha_to_coverage_enabled, 0};
-    case GL_SAMPLE_ALPHA_TO_ONE: return {&state.multisample.alpha_to_one_enabled, 0};
-    case GL_SAMPLE_COVERAGE: return {&state.multisample.coverage_enabled, 0};
-    case GL_SCISSOR_TEST: return {&state.scissor.enabled, dirty_raster};
-    default: return {};
+    case GL_COLOR_MATERIAL:
+      return {&state.lighting.color_material_enabled, dirty_lighting};
+    case GL_CULL_FACE:
+      return {&state.polygon.cull_enabled, dirty_assembly};
+    case GL_DEPTH_TEST:
+      return {&state.depth.test_enabled, dirty_raster};
+    case GL_DITHER:
+      return {&state.color_buffer.dither_enabled, 0};
+    case GL_LIGHTING:
+      return {&state.lighting.enabled, dirty_lighting};
+    case GL_MULTISAMPLE:
+      return {&state.multisample.enabled, 0};
+    case GL_NORMALIZE:
+      return {&state.transform.normalize_enabled, dirty_transform};
+    case GL_RESCALE_NORMAL:
+      return {&state.transform.rescale_normal_enabled, dirty_transform};
+    case GL_SAMPLE_ALPHA_TO_COVERAGE:
+      return {&state.multisample.alpha_to_coverage_enabled, 0};
+    case GL_SAMPLE_ALPHA_TO_ONE:
+      return {&state.multisample.alpha_to_one_enabled, 0};
+    case GL_SAMPLE_COVERAGE:
+      return {&state.multisample.coverage_enabled, 0};
+    case GL_SCISSOR_TEST:
+      return {&state.scissor.enabled, dirty_raster};
+    default:
+      return {};
   }
 }
 
-void Enable(Context& context, GLenum cap) { set_enabled(context, cap, true, "glEnable"); }
+void Enable(Context& context, GLenum cap) {
+  set_enabled(context, cap, true, "glEnable");
+}
 
-void Disable(Context& context, GLenum cap) { set_enabled(context, cap, false, "glDisable"); }
+void Disable(Context& context, GLenum cap) {
+  set_enabled(context, cap, false, "glDisable");
+}
 
 GLboolean IsEnabled(Context& context, GLenum cap) {
   const Capability capability = find_capability(context.state, cap);

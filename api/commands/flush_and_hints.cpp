@@ -5,14 +5,22 @@ namespace {
 
 GLenum* find_hint(HintGroup& hint, GLenum target) {
   switch (target) {
-    case GL_PERSPECTIVE_CORRECTION_HINT: return &hint.perspective_correction;
-    case GL_POINT_SMOOTH_HINT: return &hint.point_smooth;
-    case GL_LINE_SMOOTH_HINT: return &hint.line_smooth;
-    case GL_POLYGON_SMOOTH_HINT: return &hint.polygon_smooth;
-    case GL_FOG_HINT: return &hint.fog;
-    case GL_GENERATE_MIPMAP_HINT: return &hint.generate_mipmap;
-    case GL_TEXTURE_COMPRESSION_HINT: return &hint.texture_compression;
-    default: return nullptr;
+    case GL_PERSPECTIVE_CORRECTION_HINT:
+      return &hint.perspective_correction;
+    case GL_POINT_SMOOTH_HINT:
+      return &hint.point_smooth;
+    case GL_LINE_SMOOTH_HINT:
+      return &hint.line_smooth;
+    case GL_POLYGON_SMOOTH_HINT:
+      return &hint.polygon_smooth;
+    case GL_FOG_HINT:
+      return &hint.fog;
+    case GL_GENERATE_MIPMAP_HINT:
+      return &hint.generate_mipmap;
+    case GL_TEXTURE_COMPRESSION_HINT:
+      return &hint.texture_compression;
+    default:
+      return nullptr;
   }
 }
 
@@ -23,7 +31,9 @@ void Flush(Context& context) {
   if (context.copy_out) context.copy_out();
 }
 
-void Finish(Context& context) { Flush(context); }
+void Finish(Context& context) {
+  Flush(context);
+}
 
 void Hint(Context& context, GLenum target, GLenum mode) {
   GLenum* const hint = find_hint(context.state.hint, target);

@@ -82,6 +82,8 @@ constexpr StateRow rows[] = {
 
 }  // namespace
 
-std::span<const StateRow> fragment_state_rows() { return rows; }
+std::span<const StateRow> fragment_state_rows() {
+  return rows;
+}
 
 }  // namespace gouraud::api

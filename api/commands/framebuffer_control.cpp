@@ -34,19 +34,29 @@ void DepthMask(Context& context, GLboolean flag) {
   context.change(dirty_raster);
 }
 
-void StencilMask(Context& context, GLuint mask) { context.state.stencil.write_mask = mask; }
+void StencilMask(Context& context, GLuint mask) {
+  context.state.stencil.write_mask = mask;
+}
 
-void IndexMask(Context& context, GLuint mask) { context.state.color_buffer.index_write_mask = mask; }
+void IndexMask(Context& context, GLuint mask) {
+  context.state.color_buffer.index_write_mask = mask;
+}
 
 void ClearColor(Context& context, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {
   context.state.color_buffer.clear_color = clamped(glm::vec4(red, green, blue, alpha));
 }
 
-void ClearDepth(Context& context, GLdouble depth) { context.state.depth.clear_value = clamped(depth); }
+void ClearDepth(Context& context, GLdouble depth) {
+  context.state.depth.clear_value = clamped(depth);
+}
 
-void ClearStencil(Context& context, GLint s) { context.state.stencil.clear_value = s; }
+void ClearStencil(Context& context, GLint s) {
+  context.state.stencil.clear_value = s;
+}
 
-void ClearIndex(Context& context, GLfloat c) { context.state.color_buffer.clear_index = c; }
+void ClearIndex(Context& context, GLfloat c) {
+  context.state.color_buffer.clear_index = c;
+}
 
 void Clear(Context& context, GLbitfield mask) {
   constexpr GLbitfield buffers =

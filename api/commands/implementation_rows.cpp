@@ -11,8 +11,12 @@ void read_constant(const Context&, StateValue& v) {
   set(v, constants...);
 }
 
-void read_point_range(const Context&, StateValue& v) { set(v, min_point_size, max_point_size); }
-void read_line_range(const Context&, StateValue& v) { set(v, min_line_width, max_line_width); }
+void read_point_range(const Context&, StateValue& v) {
+  set(v, min_point_size, max_point_size);
+}
+void read_line_range(const Context&, StateValue& v) {
+  set(v, min_line_width, max_line_width);
+}
 
 void read_color_bits(const Context& c, StateValue& v) {
   set(v, pipeline::bytes_per_pixel(c.target_info().format.color) * 2);  // 8 bits to a byte, four components a pixel
@@ -20,14 +24,20 @@ void read_color_bits(const Context& c, StateValue& v) {
 
 void read_depth_bits(const Context& c, StateValue& v) {
   switch (c.target_info().format.depth) {
-    case pipeline::DepthFormat::none: return set(v, 0);
-    case pipeline::DepthFormat::z16: return set(v, 16);
-    case pipeline::DepthFormat::z24s8: return set(v, 24);
-    case pipeline::DepthFormat::z32f: return set(v, 32);
+    case pipeline::DepthFormat::none:
+      return set(v, 0);
+    case pipeline::DepthFormat::z16:
+      return set(v, 16);
+    case pipeline::DepthFormat::z24s8:
+      return set(v, 24);
+    case pipeline::DepthFormat::z32f:
+      return set(v, 32);
   }
 }
 
-void read_stencil_bits(const Context& c, StateValue& v) { set(v, c.target_info().stencil_mask != 0 ? 8 : 0); }
+void read_stencil_bits(const Context& c, StateValue& v) {
+  set(v, c.target_info().stencil_mask != 0 ? 8 : 0);
+}
 
 constexpr StateRow rows[] = {
     {GL_MAX_LIGHTS, integer, 1, read_constant<max_lights>},
@@ -40,12 +50,10 @@ constexpr StateRow rows[] = {
     {GL_SUBPIXEL_BITS, integer, 1, read_constant<subpixel_bits>},
     {GL_ALIASED_POINT_SIZE_RANGE, real, 2, read_point_range},
     {GL_SMOOTH_POINT_SIZE_RANGE, real, 2, read_point_range},
-    {GL_SMOOTH_POINT_SIZE_GRANULARITY, real, 1,
-     [](const Context&, StateValue& v) { set(v, point_size_granularity); }},
+    {GL_SMOOTH_POINT_SIZE_GRANULARITY, real, 1, [](const Context&, StateValue& v) { set(v, point_size_granularity); }},
     {GL_ALIASED_LINE_WIDTH_RANGE, real, 2, read_line_range},
     {GL_SMOOTH_LINE_WIDTH_RANGE, real, 2, read_line_range},
-    {GL_SMOOTH_LINE_WIDTH_GRANULARITY, real, 1,
-     [](const Context&, StateValue& v) { set(v, line_width_granularity); }},
+    {GL_SMOOTH_LINE_WIDTH_GRANULARITY, real, 1, [](const Context&, StateValue& v) { set(v, line_width_granularity); }},
 
     {GL_RGBA_MODE, boolean, 1, read_constant<true>},
     {GL_INDEX_MODE, boolean, 1, read_constant<false>},
@@ -69,6 +77,8 @@ constexpr StateRow rows[] = {
 
 }  // namespace
 
-std::span<const StateRow> implementation_rows() { return rows; }
+std::span<const StateRow> implementation_rows() {
+  return rows;
+}
 
 }  // namespace gouraud::api

@@ -6,9 +6,13 @@
 namespace gouraud::api {
 namespace {
 
-glm::vec4 vector_from(const GLfloat* v) { return glm::vec4(v[0], v[1], v[2], v[3]); }
+glm::vec4 vector_from(const GLfloat* v) {
+  return glm::vec4(v[0], v[1], v[2], v[3]);
+}
 
-bool in_range(GLfloat value, GLfloat low, GLfloat high) { return value >= low && value <= high; }
+bool in_range(GLfloat value, GLfloat low, GLfloat high) {
+  return value >= low && value <= high;
+}
 
 // The MaterialBits that follow the current colour on a face now.
 unsigned followed_bits(const LightingGroup& lighting, GLenum face) {
@@ -29,7 +33,9 @@ bool is_material_color(GLenum pname) {
          pname == GL_AMBIENT_AND_DIFFUSE;
 }
 
-bool is_material_face(GLenum face) { return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK; }
+bool is_material_face(GLenum face) {
+  return face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK;
+}
 
 // False, and nothing set, if the value is out of range.
 bool set_spot_or_attenuation(Light& light, GLenum pname, GLfloat value) {
@@ -59,9 +65,15 @@ void Lightfv(Context& context, GLenum light_name, GLenum pname, const GLfloat* p
   }
   Light& light = context.state.lighting.lights[light_name - GL_LIGHT0];
   switch (pname) {
-    case GL_AMBIENT: light.ambient = vector_from(params); break;
-    case GL_DIFFUSE: light.diffuse = vector_from(params); break;
-    case GL_SPECULAR: light.specular = vector_from(params); break;
+    case GL_AMBIENT:
+      light.ambient = vector_from(params);
+      break;
+    case GL_DIFFUSE:
+      light.diffuse = vector_from(params);
+      break;
+    case GL_SPECULAR:
+      light.specular = vector_from(params);
+      break;
     case GL_POSITION:
       light.position_eye = product(context.state.matrices.modelview.top(), vector_from(params));
       break;
@@ -80,7 +92,8 @@ void Lightfv(Context& context, GLenum light_name, GLenum pname, const GLfloat* p
         return context.record_error(GL_INVALID_VALUE, "glLight", "value out of range");
       }
       break;
-    default: return context.record_error(GL_INVALID_ENUM, "glLight", "pname is unknown");
+    default:
+      return context.record_error(GL_INVALID_ENUM, "glLight", "pname is unknown");
   }
   context.change(dirty_lighting);
 }
@@ -88,9 +101,15 @@ void Lightfv(Context& context, GLenum light_name, GLenum pname, const GLfloat* p
 void LightModelfv(Context& context, GLenum pname, const GLfloat* params) {
   LightingGroup& lighting = context.state.lighting;
   switch (pname) {
-    case GL_LIGHT_MODEL_AMBIENT: lighting.model_ambient = vector_from(params); break;
-    case GL_LIGHT_MODEL_LOCAL_VIEWER: lighting.model_local_viewer = params[0] != 0.0f; break;
-    case GL_LIGHT_MODEL_TWO_SIDE: lighting.model_two_side = params[0] != 0.0f; break;
+    case GL_LIGHT_MODEL_AMBIENT:
+      lighting.model_ambient = vector_from(params);
+      break;
+    case GL_LIGHT_MODEL_LOCAL_VIEWER:
+      lighting.model_local_viewer = params[0] != 0.0f;
+      break;
+    case GL_LIGHT_MODEL_TWO_SIDE:
+      lighting.model_two_side = params[0] != 0.0f;
+      break;
     case GL_LIGHT_MODEL_COLOR_CONTROL:
       if (params[0] == static_cast<GLfloat>(GL_SINGLE_COLOR)) {
         lighting.model_color_control = GL_SINGLE_COLOR;
@@ -100,7 +119,8 @@ void LightModelfv(Context& context, GLenum pname, const GLfloat* params) {
         return context.record_error(GL_INVALID_ENUM, "glLightModel", "no such colour control");
       }
       break;
-    default: return context.record_error(GL_INVALID_ENUM, "glLightModel", "pname is unknown");
+    default:
+      return context.record_error(GL_INVALID_ENUM, "glLightModel", "pname is unknown");
   }
   context.change(dirty_lighting);
 }

@@ -7,8 +7,9 @@
 
 namespace gouraud::api {
 
-/// All: GL_INVALID_ENUM for an unknown light, face, parameter or mode; GL_INVALID_VALUE for a value outside the range of
-/// Table 2.10 (NaN is outside every range). Positions and spot directions are transformed by the modelview matrix now.
+/// All: GL_INVALID_ENUM for an unknown light, face, parameter or mode; GL_INVALID_VALUE for a value outside the range
+/// of Table 2.10 (NaN is outside every range). Positions and spot directions are transformed by the modelview matrix
+/// now.
 void Lightfv(Context& context, GLenum light, GLenum pname, const GLfloat* params);
 void LightModelfv(Context& context, GLenum pname, const GLfloat* params);
 /// Legal between Begin and End. Has no effect on parameters that follow the current colour.
@@ -21,8 +22,8 @@ void GetLightiv(Context& context, GLenum light, GLenum pname, GLint* params);
 void GetMaterialfv(Context& context, GLenum face, GLenum pname, GLfloat* params);
 void GetMaterialiv(Context& context, GLenum face, GLenum pname, GLint* params);
 
-/// While COLOR_MATERIAL is enabled: writes the current colour to the parameters that follow it. To be called before they
-/// are read, and before what follows changes.
+/// While COLOR_MATERIAL is enabled: writes the current colour to the parameters that follow it. To be called before
+/// they are read, and before what follows changes.
 void sync_color_material(State& state);
 
 }  // namespace gouraud::api

@@ -21,29 +21,47 @@ Parameter parameter(int count, ValueKind kind, const Value& value) {
 
 Parameter light_parameter(const Light& light, GLenum pname) {
   switch (pname) {
-    case GL_AMBIENT: return parameter(4, ValueKind::normalized, light.ambient);
-    case GL_DIFFUSE: return parameter(4, ValueKind::normalized, light.diffuse);
-    case GL_SPECULAR: return parameter(4, ValueKind::normalized, light.specular);
-    case GL_POSITION: return parameter(4, ValueKind::real, light.position_eye);
-    case GL_SPOT_DIRECTION: return parameter(3, ValueKind::real, light.spot_direction_eye);
-    case GL_SPOT_EXPONENT: return parameter(1, ValueKind::real, light.spot_exponent);
-    case GL_SPOT_CUTOFF: return parameter(1, ValueKind::real, light.spot_cutoff_deg);
-    case GL_CONSTANT_ATTENUATION: return parameter(1, ValueKind::real, light.constant_attenuation);
-    case GL_LINEAR_ATTENUATION: return parameter(1, ValueKind::real, light.linear_attenuation);
-    case GL_QUADRATIC_ATTENUATION: return parameter(1, ValueKind::real, light.quadratic_attenuation);
-    default: return {};
+    case GL_AMBIENT:
+      return parameter(4, ValueKind::normalized, light.ambient);
+    case GL_DIFFUSE:
+      return parameter(4, ValueKind::normalized, light.diffuse);
+    case GL_SPECULAR:
+      return parameter(4, ValueKind::normalized, light.specular);
+    case GL_POSITION:
+      return parameter(4, ValueKind::real, light.position_eye);
+    case GL_SPOT_DIRECTION:
+      return parameter(3, ValueKind::real, light.spot_direction_eye);
+    case GL_SPOT_EXPONENT:
+      return parameter(1, ValueKind::real, light.spot_exponent);
+    case GL_SPOT_CUTOFF:
+      return parameter(1, ValueKind::real, light.spot_cutoff_deg);
+    case GL_CONSTANT_ATTENUATION:
+      return parameter(1, ValueKind::real, light.constant_attenuation);
+    case GL_LINEAR_ATTENUATION:
+      return parameter(1, ValueKind::real, light.linear_attenuation);
+    case GL_QUADRATIC_ATTENUATION:
+      return parameter(1, ValueKind::real, light.quadratic_attenuation);
+    default:
+      return {};
   }
 }
 
 Parameter material_parameter(const MaterialFace& material, GLenum pname) {
   switch (pname) {
-    case GL_AMBIENT: return parameter(4, ValueKind::normalized, material.ambient);
-    case GL_DIFFUSE: return parameter(4, ValueKind::normalized, material.diffuse);
-    case GL_SPECULAR: return parameter(4, ValueKind::normalized, material.specular);
-    case GL_EMISSION: return parameter(4, ValueKind::normalized, material.emission);
-    case GL_SHININESS: return parameter(1, ValueKind::real, material.shininess);
-    case GL_COLOR_INDEXES: return parameter(3, ValueKind::real, material.color_indexes);
-    default: return {};
+    case GL_AMBIENT:
+      return parameter(4, ValueKind::normalized, material.ambient);
+    case GL_DIFFUSE:
+      return parameter(4, ValueKind::normalized, material.diffuse);
+    case GL_SPECULAR:
+      return parameter(4, ValueKind::normalized, material.specular);
+    case GL_EMISSION:
+      return parameter(4, ValueKind::normalized, material.emission);
+    case GL_SHININESS:
+      return parameter(1, ValueKind::real, material.shininess);
+    case GL_COLOR_INDEXES:
+      return parameter(3, ValueKind::real, material.color_indexes);
+    default:
+      return {};
   }
 }
 

@@ -9,9 +9,12 @@ namespace {
 template <class Function>
 auto with_current_stack(State& state, Function function) {
   switch (state.transform.matrix_mode) {
-    case GL_PROJECTION: return function(state.matrices.projection);
-    case GL_TEXTURE: return function(state.matrices.texture[static_cast<std::size_t>(state.texture.active_unit)]);
-    default: return function(state.matrices.modelview);
+    case GL_PROJECTION:
+      return function(state.matrices.projection);
+    case GL_TEXTURE:
+      return function(state.matrices.texture[static_cast<std::size_t>(state.texture.active_unit)]);
+    default:
+      return function(state.matrices.modelview);
   }
 }
 
@@ -41,7 +44,9 @@ glm::mat4 matrix_from(const GLfloat* m) {
   return matrix;
 }
 
-float to_float(GLdouble value) { return static_cast<float>(value); }
+float to_float(GLdouble value) {
+  return static_cast<float>(value);
+}
 
 }  // namespace
 
@@ -60,11 +65,17 @@ void ActiveTexture(Context& context, GLenum texture) {
   context.state.texture.active_unit = static_cast<int>(unit);
 }
 
-void LoadIdentity(Context& context) { load(context, glm::mat4(1.0f)); }
+void LoadIdentity(Context& context) {
+  load(context, glm::mat4(1.0f));
+}
 
-void LoadMatrixf(Context& context, const GLfloat* m) { load(context, matrix_from(m)); }
+void LoadMatrixf(Context& context, const GLfloat* m) {
+  load(context, matrix_from(m));
+}
 
-void MultMatrixf(Context& context, const GLfloat* m) { multiply(context, matrix_from(m)); }
+void MultMatrixf(Context& context, const GLfloat* m) {
+  multiply(context, matrix_from(m));
+}
 
 void Rotatef(Context& context, GLfloat angle, GLfloat x, GLfloat y, GLfloat z) {
   multiply(context, rotation(angle, glm::vec3(x, y, z)));
@@ -89,8 +100,8 @@ void Frustum(Context& context, GLdouble left, GLdouble right, GLdouble bottom, G
   if (zNear <= 0.0 || zFar <= 0.0 || left == right || bottom == top || zNear == zFar) {
     return context.record_error(GL_INVALID_VALUE, "glFrustum", "empty, or not in front of the eye");
   }
-  multiply(context, frustum(to_float(left), to_float(right), to_float(bottom), to_float(top), to_float(zNear),
-                            to_float(zFar)));
+  multiply(context,
+           frustum(to_float(left), to_float(right), to_float(bottom), to_float(top), to_float(zNear), to_float(zFar)));
 }
 
 void Ortho(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear,

@@ -20,9 +20,11 @@ void Rotatef(Context& context, GLfloat angle, GLfloat x, GLfloat y, GLfloat z);
 void Translatef(Context& context, GLfloat x, GLfloat y, GLfloat z);
 void Scalef(Context& context, GLfloat x, GLfloat y, GLfloat z);
 /// GL_INVALID_VALUE if zNear <= 0, zFar <= 0, or an extent is empty.
-void Frustum(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar);
+void Frustum(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear,
+             GLdouble zFar);
 /// GL_INVALID_VALUE if an extent is empty.
-void Ortho(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear, GLdouble zFar);
+void Ortho(Context& context, GLdouble left, GLdouble right, GLdouble bottom, GLdouble top, GLdouble zNear,
+           GLdouble zFar);
 
 /// GL_STACK_OVERFLOW on a full stack.
 void PushMatrix(Context& context);

@@ -31,16 +31,28 @@ const std::string& renderer_name() {
 
 }  // namespace
 
-GLenum GetError(Context& context) { return context.take_error(); }
+GLenum GetError(Context& context) {
+  return context.take_error();
+}
 
 const GLubyte* GetString(Context& context, GLenum name) {
   const char* text = nullptr;
   switch (name) {
-    case GL_VENDOR: text = "Gouraud"; break;
-    case GL_RENDERER: text = renderer_name().c_str(); break;
-    case GL_VERSION: text = "1.5 Gouraud 0.1.0"; break;
-    case GL_EXTENSIONS: text = ""; break;
-    default: context.record_error(GL_INVALID_ENUM, "glGetString", "name is unknown"); break;
+    case GL_VENDOR:
+      text = "Gouraud";
+      break;
+    case GL_RENDERER:
+      text = renderer_name().c_str();
+      break;
+    case GL_VERSION:
+      text = "1.5 Gouraud 0.1.0";
+      break;
+    case GL_EXTENSIONS:
+      text = "";
+      break;
+    default:
+      context.record_error(GL_INVALID_ENUM, "glGetString", "name is unknown");
+      break;
   }
   return reinterpret_cast<const GLubyte*>(text);
 }

@@ -32,12 +32,12 @@ struct StateRow {
 const StateRow* find_state_row(GLenum pname);
 
 /// The rows, one list a chapter; none has a pname of another.
-std::span<const StateRow> vertex_state_rows();        // current values, matrices, viewport, lighting
-std::span<const StateRow> fragment_state_rows();      // rasterization, tests, framebuffer control, pixel store, hints
-std::span<const StateRow> implementation_rows();      // limits and the target's properties
+std::span<const StateRow> vertex_state_rows();    // current values, matrices, viewport, lighting
+std::span<const StateRow> fragment_state_rows();  // rasterization, tests, framebuffer control, pixel store, hints
+std::span<const StateRow> implementation_rows();  // limits and the target's properties
 
-/// `value` as an integer: rounded to nearest, or for normalized values by Table 4.6; the nearest integer if it is out of
-/// range, 0 if NaN.
+/// `value` as an integer: rounded to nearest, or for normalized values by Table 4.6; the nearest integer if it is out
+/// of range, 0 if NaN.
 GLint to_integer(double value, ValueKind kind);
 
 }  // namespace gouraud::api

@@ -28,8 +28,7 @@ constexpr StateRow rows[] = {
 
     // Transformation [GL1.5 Table 6.9]
     {GL_MATRIX_MODE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.transform.matrix_mode); }},
-    {GL_MODELVIEW_MATRIX, real, 16,
-     [](const Context& c, StateValue& v) { set(v, c.state.matrices.modelview.top()); }},
+    {GL_MODELVIEW_MATRIX, real, 16, [](const Context& c, StateValue& v) { set(v, c.state.matrices.modelview.top()); }},
     {GL_PROJECTION_MATRIX, real, 16,
      [](const Context& c, StateValue& v) { set(v, c.state.matrices.projection.top()); }},
     {GL_TEXTURE_MATRIX, real, 16, [](const Context& c, StateValue& v) { set(v, texture_stack(c).top()); }},
@@ -70,6 +69,8 @@ constexpr StateRow rows[] = {
 
 }  // namespace
 
-std::span<const StateRow> vertex_state_rows() { return rows; }
+std::span<const StateRow> vertex_state_rows() {
+  return rows;
+}
 
 }  // namespace gouraud::api

@@ -34,13 +34,20 @@ bool is_set(const char* variable) {
 
 const char* error_name(GLenum error) {
   switch (error) {
-    case GL_INVALID_ENUM: return "GL_INVALID_ENUM";
-    case GL_INVALID_VALUE: return "GL_INVALID_VALUE";
-    case GL_INVALID_OPERATION: return "GL_INVALID_OPERATION";
-    case GL_STACK_OVERFLOW: return "GL_STACK_OVERFLOW";
-    case GL_STACK_UNDERFLOW: return "GL_STACK_UNDERFLOW";
-    case GL_OUT_OF_MEMORY: return "GL_OUT_OF_MEMORY";
-    default: return "error";
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_STACK_OVERFLOW:
+      return "GL_STACK_OVERFLOW";
+    case GL_STACK_UNDERFLOW:
+      return "GL_STACK_UNDERFLOW";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    default:
+      return "error";
   }
 }
 
@@ -85,7 +92,9 @@ void Context::record_error(GLenum error, const char* command, const char* messag
   if (aborting_on_error_) std::abort();
 }
 
-GLenum Context::take_error() { return std::exchange(error_, static_cast<GLenum>(GL_NO_ERROR)); }
+GLenum Context::take_error() {
+  return std::exchange(error_, static_cast<GLenum>(GL_NO_ERROR));
+}
 
 bool Context::set_target_size(int width_px, int height_px, pipeline::ColorFormat color_format) {
   if (width_px < 1 || width_px > max_target_size_px || height_px < 1 || height_px > max_target_size_px) return false;

@@ -23,7 +23,9 @@ class Context;
 /// This thread's current context or null. Read it with current_context(), change it with make_current().
 extern constinit thread_local Context* current_context_pointer __attribute__((tls_model("initial-exec")));
 
-inline Context* current_context() { return current_context_pointer; }
+inline Context* current_context() {
+  return current_context_pointer;
+}
 
 /// Makes `context` (or none, if null) current in this thread. A context that ceases to be current is released: what it
 /// drew is finished and copied out.

@@ -19,12 +19,16 @@ constexpr std::int32_t least_room = 12;
 // The number of vertices by whole multiples of which a range may be cut.
 constexpr std::int32_t cut_multiple(PrimitiveMode mode) {
   switch (mode) {
-    case PrimitiveMode::triangles: return 3;
-    case PrimitiveMode::quads: return 4;
+    case PrimitiveMode::triangles:
+      return 3;
+    case PrimitiveMode::quads:
+      return 4;
     case PrimitiveMode::lines:
     case PrimitiveMode::triangle_strip:
-    case PrimitiveMode::quad_strip: return 2;
-    default: return 1;
+    case PrimitiveMode::quad_strip:
+      return 2;
+    default:
+      return 1;
   }
 }
 
@@ -41,13 +45,17 @@ struct Carried {
 Carried vertices_to_carry(const pipeline::PrimitiveRange& range) {
   const std::int32_t last = range.first + range.count - 1;
   switch (range.mode) {
-    case PrimitiveMode::line_strip: return {1, {last, 0}};
+    case PrimitiveMode::line_strip:
+      return {1, {last, 0}};
     case PrimitiveMode::triangle_strip:
-    case PrimitiveMode::quad_strip: return {2, {last - 1, last}};
+    case PrimitiveMode::quad_strip:
+      return {2, {last - 1, last}};
     case PrimitiveMode::triangle_fan:
     case PrimitiveMode::polygon:
-    case PrimitiveMode::line_loop: return {2, {range.first, last}};
-    default: return {};
+    case PrimitiveMode::line_loop:
+      return {2, {range.first, last}};
+    default:
+      return {};
   }
 }
 

@@ -10,10 +10,14 @@ namespace gouraud::api {
 static_assert(GL_POINTS == 0 && GL_POLYGON == 9 && GL_NEVER + 7 == GL_ALWAYS);
 
 /// GL_POINTS .. GL_POLYGON.
-constexpr pipeline::PrimitiveMode primitive_mode(GLenum mode) { return static_cast<pipeline::PrimitiveMode>(mode); }
+constexpr pipeline::PrimitiveMode primitive_mode(GLenum mode) {
+  return static_cast<pipeline::PrimitiveMode>(mode);
+}
 
 /// GL_NEVER .. GL_ALWAYS.
-constexpr pipeline::CompareFunc compare_func(GLenum func) { return static_cast<pipeline::CompareFunc>(func - GL_NEVER); }
+constexpr pipeline::CompareFunc compare_func(GLenum func) {
+  return static_cast<pipeline::CompareFunc>(func - GL_NEVER);
+}
 
 constexpr pipeline::PolygonMode polygon_mode(GLenum mode) {
   return mode == GL_POINT  ? pipeline::PolygonMode::point
@@ -29,11 +33,16 @@ constexpr pipeline::CullMode cull_mode(GLenum face) {
 
 constexpr std::uint8_t material_bits(GLenum parameter) {
   switch (parameter) {
-    case GL_AMBIENT: return pipeline::material_ambient;
-    case GL_DIFFUSE: return pipeline::material_diffuse;
-    case GL_SPECULAR: return pipeline::material_specular;
-    case GL_EMISSION: return pipeline::material_emission;
-    default: return pipeline::material_ambient | pipeline::material_diffuse;
+    case GL_AMBIENT:
+      return pipeline::material_ambient;
+    case GL_DIFFUSE:
+      return pipeline::material_diffuse;
+    case GL_SPECULAR:
+      return pipeline::material_specular;
+    case GL_EMISSION:
+      return pipeline::material_emission;
+    default:
+      return pipeline::material_ambient | pipeline::material_diffuse;
   }
 }
 

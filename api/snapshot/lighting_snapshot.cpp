@@ -9,8 +9,12 @@ namespace gouraud::api {
 namespace {
 
 // Light colours count by red, green and blue: the lit alpha is the material's diffuse alpha [GL1.5 §2.14.1].
-glm::vec4 without_alpha(const glm::vec4& color, float alpha) { return glm::vec4(color.x, color.y, color.z, alpha); }
-bool is_black(const glm::vec4& color) { return color.x == 0.0f && color.y == 0.0f && color.z == 0.0f; }
+glm::vec4 without_alpha(const glm::vec4& color, float alpha) {
+  return glm::vec4(color.x, color.y, color.z, alpha);
+}
+bool is_black(const glm::vec4& color) {
+  return color.x == 0.0f && color.y == 0.0f && color.z == 0.0f;
+}
 
 glm::vec3 unit_vector(const glm::vec3& v) {
   const glm::dvec3 wide(v);
@@ -71,8 +75,9 @@ pipeline::PreparedLight prepare_light(const Light& light) {
   if (result.spot) {
     result.spot_direction_eye = unit_vector(light.spot_direction_eye);
     constexpr double rad_per_deg = 3.14159265358979323846 / 180.0;
-    result.spot_cutoff_cosine =
-        light.spot_cutoff_deg == 90.0f ? 0.0f : static_cast<float>(sine_cosine(light.spot_cutoff_deg * rad_per_deg).cosine);
+    result.spot_cutoff_cosine = light.spot_cutoff_deg == 90.0f
+                                    ? 0.0f
+                                    : static_cast<float>(sine_cosine(light.spot_cutoff_deg * rad_per_deg).cosine);
     result.spot_exponent = light.spot_exponent;
   }
   return result;

@@ -19,8 +19,8 @@ pipeline::PixelRect writable_rect(const ScissorGroup& scissor, const TargetInfo&
   const pipeline::PixelRect all{0, 0, target.width_px, target.height_px};
   if (!scissor.enabled) return all;
   const std::int64_t x = scissor.x, y = scissor.y;
-  const pipeline::PixelRect box{clamp_edge(x, all.x1), clamp_edge(y, all.y1),
-                                clamp_edge(x + scissor.width_px, all.x1), clamp_edge(y + scissor.height_px, all.y1)};
+  const pipeline::PixelRect box{clamp_edge(x, all.x1), clamp_edge(y, all.y1), clamp_edge(x + scissor.width_px, all.x1),
+                                clamp_edge(y + scissor.height_px, all.y1)};
   return box.empty() ? pipeline::PixelRect{} : box;
 }
 
@@ -55,7 +55,8 @@ pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
   if (front_drawn) result.polygon_mode_front = polygon_mode(polygon.front_mode);
   if (back_drawn) result.polygon_mode_back = polygon_mode(polygon.back_mode);
   const bool two_sided = colors_matter && state.lighting.enabled && state.lighting.model_two_side;
-  const bool faces_differ = front_drawn != back_drawn || (front_drawn && (polygon.front_mode != polygon.back_mode || two_sided));
+  const bool faces_differ =
+      front_drawn != back_drawn || (front_drawn && (polygon.front_mode != polygon.back_mode || two_sided));
   if (faces_differ && polygon.front_face == GL_CW) result.front_face = pipeline::FrontFace::cw;
   return result;
 }
@@ -88,7 +89,9 @@ pipeline::TransformState transform_state(const State& state, bool normals_matter
   return result;
 }
 
-bool normals_matter(const pipeline::LightingState& lighting) { return lighting.enabled && lighting.light_count > 0; }
+bool normals_matter(const pipeline::LightingState& lighting) {
+  return lighting.enabled && lighting.light_count > 0;
+}
 
 }  // namespace
 

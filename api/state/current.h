@@ -20,6 +20,7 @@ struct CurrentGroup {
   std::array<glm::vec4, max_texture_units> texture_coordinates{
       glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1),
       glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0, 0, 0, 1)};
+  bool operator==(const CurrentGroup&) const = default;
 };
 
 }  // namespace gouraud::api

@@ -13,6 +13,7 @@ struct ScissorGroup {
   bool enabled = false;
   GLint x = 0, y = 0;
   GLsizei width_px = 0, height_px = 0;
+  bool operator==(const ScissorGroup&) const = default;
 };
 
 /// Attribute group MULTISAMPLE_BIT [GL1.5 Table 6.14]. Without sample buffers none of it has an effect.
@@ -23,6 +24,7 @@ struct MultisampleGroup {
   bool coverage_enabled = false;
   float coverage_value = 1.0f;  ///< in [0, 1]
   bool coverage_inverted = false;
+  bool operator==(const MultisampleGroup&) const = default;
 };
 
 /// Attribute group DEPTH_BUFFER_BIT.
@@ -31,12 +33,14 @@ struct DepthGroup {
   bool write_enabled = true;
   GLenum func = GL_LESS;
   double clear_value = 1.0;  ///< in [0, 1]
+  bool operator==(const DepthGroup&) const = default;
 };
 
 /// Attribute group STENCIL_BUFFER_BIT: what glClear needs of it.
 struct StencilGroup {
   GLuint write_mask = ~0u;
   GLint clear_value = 0;
+  bool operator==(const StencilGroup&) const = default;
 };
 
 /// Attribute group COLOR_BUFFER_BIT.
@@ -47,6 +51,7 @@ struct ColorBufferGroup {
   float clear_index = 0.0f;
   /// choice: dithering never changes a value, whether enabled or not; Mesa's does neither [GL1.5 §4.1.9].
   bool dither_enabled = true;
+  bool operator==(const ColorBufferGroup&) const = default;
 };
 
 }  // namespace gouraud::api

@@ -18,9 +18,10 @@ struct Light {
   glm::vec4 specular{0.0f, 0.0f, 0.0f, 1.0f};
   glm::vec4 position_eye{0.0f, 0.0f, 1.0f, 0.0f};
   glm::vec3 spot_direction_eye{0.0f, 0.0f, -1.0f};
-  float spot_exponent = 0.0f;     ///< in [0, 128]
-  float spot_cutoff_deg = 180.0f; ///< in [0, 90], or 180
+  float spot_exponent = 0.0f;                                                                  ///< in [0, 128]
+  float spot_cutoff_deg = 180.0f;                                                              ///< in [0, 90], or 180
   float constant_attenuation = 1.0f, linear_attenuation = 0.0f, quadratic_attenuation = 0.0f;  ///< not negative
+  bool operator==(const Light&) const = default;
 };
 
 struct MaterialFace {
@@ -28,8 +29,9 @@ struct MaterialFace {
   glm::vec4 diffuse{0.8f, 0.8f, 0.8f, 1.0f};
   glm::vec4 specular{0.0f, 0.0f, 0.0f, 1.0f};
   glm::vec4 emission{0.0f, 0.0f, 0.0f, 1.0f};
-  float shininess = 0.0f;  ///< in [0, 128]
+  float shininess = 0.0f;                     ///< in [0, 128]
   glm::vec3 color_indexes{0.0f, 1.0f, 1.0f};  ///< ambient, diffuse, specular
+  bool operator==(const MaterialFace&) const = default;
 };
 
 /// Attribute group LIGHTING_BIT.
@@ -49,6 +51,7 @@ struct LightingGroup {
   bool model_two_side = false;
   GLenum model_color_control = GL_SINGLE_COLOR;
   std::array<Light, max_lights> lights;
+  bool operator==(const LightingGroup&) const = default;
 };
 
 }  // namespace gouraud::api

@@ -32,10 +32,14 @@ SineCosine sine_cosine(double angle_rad) {
   cosine = 1.0 + cosine;
 
   switch (static_cast<int>(quadrants) & 3) {
-    case 0: return {sine, cosine};
-    case 1: return {cosine, -sine};
-    case 2: return {-sine, -cosine};
-    default: return {-cosine, sine};
+    case 0:
+      return {sine, cosine};
+    case 1:
+      return {cosine, -sine};
+    case 2:
+      return {-sine, -cosine};
+    default:
+      return {-cosine, sine};
   }
 }
 
@@ -146,7 +150,9 @@ Cofactors cofactors_of(const glm::mat4& m) {
   return {glm::dmat3(bc, glm::cross(c, a), glm::cross(a, b)), (a.x * bc.x + a.y * bc.y) + a.z * bc.z};
 }
 
-bool invertible(double determinant) { return determinant != 0.0 && std::isfinite(determinant); }
+bool invertible(double determinant) {
+  return determinant != 0.0 && std::isfinite(determinant);
+}
 
 }  // namespace
 

@@ -31,8 +31,8 @@ TEST(Rotation, AboutACoordinateAxisHasExactZerosAndOnes) {
 }
 
 TEST(Rotation, TurnsCounterclockwiseAboutAnyAxisAndKeepsItFixed) {
-  for (const glm::vec3 axis : {glm::vec3(1, 1, 1), glm::vec3(-2, 0.5f, 3), glm::vec3(1e-9f, 2e-9f, 0),
-                               glm::vec3(1e30f, -1e30f, 1e30f)}) {
+  for (const glm::vec3 axis :
+       {glm::vec3(1, 1, 1), glm::vec3(-2, 0.5f, 3), glm::vec3(1e-9f, 2e-9f, 0), glm::vec3(1e30f, -1e30f, 1e30f)}) {
     const glm::mat4 r = rotation(120.0f, axis);
     const glm::dvec3 u = glm::normalize(glm::dvec3(axis));
     const glm::dvec3 kept = glm::dmat3(r) * u;
@@ -69,7 +69,8 @@ TEST(NormalMatrix, IsTheInverseTranspose) {
     const glm::mat3 found = normal_matrix(m);
     for (int k = 0; k < 9; ++k) {
       const double expected = exact[k / 3][k % 3];
-      ASSERT_NEAR(found[k / 3][k % 3], expected, 1e-6 * std::fabs(expected) + 1e-9 / std::fabs(glm::determinant(exact)));
+      ASSERT_NEAR(found[k / 3][k % 3], expected,
+                  1e-6 * std::fabs(expected) + 1e-9 / std::fabs(glm::determinant(exact)));
     }
   }
 }

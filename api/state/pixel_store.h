@@ -15,6 +15,7 @@ struct PixelStore {
   GLint alignment = 4;  ///< 1, 2, 4 or 8 bytes
   GLint image_height_px = 0;
   GLint skip_images = 0;
+  bool operator==(const PixelStore&) const = default;
 };
 
 }  // namespace gouraud::api

@@ -23,11 +23,13 @@ struct HintGroup {
   GLenum fog = GL_DONT_CARE;
   GLenum generate_mipmap = GL_DONT_CARE;
   GLenum texture_compression = GL_DONT_CARE;
+  bool operator==(const HintGroup&) const = default;
 };
 
 /// Part of attribute group TEXTURE_BIT.
 struct TextureGroup {
   int active_unit = 0;  ///< in [0, max_texture_units)
+  bool operator==(const TextureGroup&) const = default;
 };
 
 struct State {
@@ -47,6 +49,7 @@ struct State {
   HintGroup hint;
   MatrixStacks matrices;
   PixelStore pack, unpack;
+  bool operator==(const State&) const = default;
 };
 
 }  // namespace gouraud::api

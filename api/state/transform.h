@@ -17,6 +17,7 @@ struct MatrixStack {
   int depth = 1;
   glm::mat4& top() { return matrices[static_cast<std::size_t>(depth - 1)]; }
   const glm::mat4& top() const { return matrices[static_cast<std::size_t>(depth - 1)]; }
+  bool operator==(const MatrixStack&) const = default;
 };
 
 /// The matrix stacks belong to no attribute group.
@@ -24,6 +25,7 @@ struct MatrixStacks {
   MatrixStack<max_modelview_stack_depth> modelview;
   MatrixStack<max_projection_stack_depth> projection;
   std::array<MatrixStack<max_texture_stack_depth>, max_texture_units> texture;
+  bool operator==(const MatrixStacks&) const = default;
 };
 
 /// Attribute group TRANSFORM_BIT.
@@ -31,6 +33,7 @@ struct TransformGroup {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize_enabled = false;
   bool rescale_normal_enabled = false;
+  bool operator==(const TransformGroup&) const = default;
 };
 
 /// Attribute group VIEWPORT_BIT. The context sets width and height when it gets its first target.
@@ -38,6 +41,7 @@ struct ViewportGroup {
   GLint x = 0, y = 0;
   GLsizei width_px = 0, height_px = 0;
   double depth_near = 0.0, depth_far = 1.0;  ///< in [0, 1]
+  bool operator==(const ViewportGroup&) const = default;
 };
 
 }  // namespace gouraud::api

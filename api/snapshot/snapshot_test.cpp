@@ -1,0 +1,445 @@
+// The canonical snapshot as a property: for random states and targets, changing a parameter that the picture cannot
+// show leaves the DrawState equal, changing one that it can show makes it differ. `shows` says when, from the
+// specification, independently of the snapshot's code.
+#include "api/snapshot/snapshot.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "api/snapshot/lighting_snapshot.h"
+
+namespace gouraud::api {
+namespace {
+
+using Random = std::mt19937;
+
+pipeline::DrawState snapshot_of(const State& state, const TargetInfo& target) {
+  pipeline::DrawState result;
+  update_draw_state(state, target, dirty_all, result);
+  result.lighting.material = canonical_material(state.lighting, result.lighting);
+  return result;
+}
+
+int pick(Random& random, int count) {
+  return static_cast<int>(random() % static_cast<unsigned>(count));
+}
+bool coin(Random& random) {
+  return pick(random, 2) == 0;
+}
+float number(Random& random) {
+  return 0.01f + static_cast<float>(pick(random, 1000000)) * 1e-6f;
+}
+glm::vec4 color(Random& random) {
+  return {number(random), number(random), number(random), number(random)};
+}
+
+glm::vec4 color_or_black(Random& random) {
+  return pick(random, 3) == 0 ? glm::vec4(0, 0, 0, number(random)) : color(random);
+}
+
+GLenum other(Random& random, GLenum now, std::initializer_list<GLenum> values) {
+  for (;;) {
+    const GLenum value = *(values.begin() + pick(random, static_cast<int>(values.size())));
+    if (value != now) return value;
+  }
+}
+
+bool is_black(const glm::vec4& c) {
+  return c.x == 0.0f && c.y == 0.0f && c.z == 0.0f;
+}
+
+// What the picture can show.
+struct View {
+  const State& state;
+  const TargetInfo& target;
+
+  bool colors() const {
+    const auto& mask = state.color_buffer.write_enabled;
+    return target.format.color != pipeline::ColorFormat::none && (mask[0] || mask[1] || mask[2] || mask[3]);
+  }
+  bool depth() const {
+    return target.format.depth != pipeline::DepthFormat::none && state.depth.test_enabled &&
+           (state.depth.func != GL_ALWAYS || state.depth.write_enabled);
+  }
+  bool lit() const { return colors() && state.lighting.enabled; }
+  bool shines(const Light& light) const {
+    return lit() && light.enabled && !(is_black(light.ambient) && is_black(light.diffuse) && is_black(light.specular));
+  }
+  bool any(glm::vec4 Light::*part) const {
+    for (const Light& light : state.lighting.lights) {
+      if (shines(light) && !is_black(light.*part)) return true;
+    }
+    return false;
+  }
+  bool normals() const {
+    for (const Light& light : state.lighting.lights) {
+      if (shines(light)) return true;
+    }
+    return false;
+  }
+  bool specular() const { return any(&Light::specular); }
+  bool ambient() const { return lit() && (!is_black(state.lighting.model_ambient) || any(&Light::ambient)); }
+  bool front() const { return !state.polygon.cull_enabled || state.polygon.cull_face == GL_BACK; }
+  bool back() const { return !state.polygon.cull_enabled || state.polygon.cull_face == GL_FRONT; }
+  bool two_sided() const { return lit() && state.lighting.model_two_side && back(); }
+  bool follows(GLenum parameter, GLenum face) const {
+    const LightingGroup& l = state.lighting;
+    const bool both = l.color_material_parameter == GL_AMBIENT_AND_DIFFUSE;
+    return l.color_material_enabled && (l.color_material_face == face || l.color_material_face == GL_FRONT_AND_BACK) &&
+           (l.color_material_parameter == parameter || (both && (parameter == GL_AMBIENT || parameter == GL_DIFFUSE)));
+  }
+  bool face_lit(int face) const { return face == 0 ? lit() : two_sided(); }
+  bool material(int face, GLenum parameter) const {
+    return face_lit(face) && !follows(parameter, face == 0 ? GL_FRONT : GL_BACK);
+  }
+};
+
+struct Parameter {
+  std::string name;
+  std::function<void(State&, Random&)> change;
+  std::function<bool(const View&)> shows;
+};
+
+bool always(const View&) {
+  return true;
+}
+bool never(const View&) {
+  return false;
+}
+
+void add_transform(std::vector<Parameter>& list) {
+  list.push_back({"modelview", [](State& s, Random& r) { s.matrices.modelview.top()[1][2] += number(r); }, always});
+  list.push_back({"projection", [](State& s, Random& r) { s.matrices.projection.top()[0][1] += number(r); }, always});
+  list.push_back({"texture matrix", [](State& s, Random& r) { s.matrices.texture[0].top()[0][1] = number(r); }, never});
+  list.push_back({"matrix mode", [](State& s, Random&) { s.transform.matrix_mode = GL_TEXTURE; }, never});
+  list.push_back({"active texture", [](State& s, Random&) { s.texture.active_unit ^= 1; }, never});
+  list.push_back({"normalize", [](State& s, Random&) { s.transform.normalize_enabled ^= true; },
+                  [](const View& v) { return v.normals(); }});
+  list.push_back({"rescale", [](State& s, Random&) { s.transform.rescale_normal_enabled ^= true; },
+                  [](const View& v) { return v.normals() && !v.state.transform.normalize_enabled; }});
+  list.push_back({"viewport x", [](State& s, Random&) { s.viewport.x += 1; }, always});
+  list.push_back({"viewport height", [](State& s, Random&) { s.viewport.height_px += 1; }, always});
+  list.push_back({"depth near", [](State& s, Random&) { s.viewport.depth_near = 1.0 - s.viewport.depth_near; },
+                  [](const View& v) { return v.depth(); }});
+  list.push_back(
+      {"depth far", [](State& s, Random&) { s.viewport.depth_far *= 0.5; }, [](const View& v) { return v.depth(); }});
+}
+
+void add_light(std::vector<Parameter>& list, std::size_t i) {
+  const std::string name = "light " + std::to_string(i) + " ";
+  const auto light = [i](const View& v) -> const Light& { return v.state.lighting.lights[i]; };
+  const auto shines = [light](const View& v) { return v.shines(light(v)); };
+  const auto on = [light](const View& v) { return v.lit() && light(v).enabled; };
+  const auto add = [&](const char* part, std::function<void(Light&, Random&)> change,
+                       std::function<bool(const View&)> shows) {
+    list.push_back({name + part, [i, change](State& s, Random& r) { change(s.lighting.lights[i], r); }, shows});
+  };
+  add(
+      "enabled", [](Light& l, Random&) { l.enabled ^= true; },
+      [light](const View& v) {
+        const Light& l = light(v);
+        return v.lit() && !(is_black(l.ambient) && is_black(l.diffuse) && is_black(l.specular));
+      });
+  add(
+      "ambient", [](Light& l, Random& r) { l.ambient = color(r); }, on);
+  add(
+      "diffuse", [](Light& l, Random& r) { l.diffuse = color(r); }, on);
+  add(
+      "specular", [](Light& l, Random& r) { l.specular = color(r); }, on);
+  add(
+      "alpha", [](Light& l, Random& r) { l.ambient.w = l.diffuse.w = l.specular.w = number(r); }, never);
+  add(
+      "position", [](Light& l, Random& r) { l.position_eye.x += number(r); }, shines);
+  const auto spot = [light](const View& v) { return v.shines(light(v)) && light(v).spot_cutoff_deg != 180.0f; };
+  add(
+      "spot direction", [](Light& l, Random& r) { l.spot_direction_eye.y += number(r); }, spot);
+  add(
+      "spot exponent", [](Light& l, Random& r) { l.spot_exponent += number(r); }, spot);
+  add(
+      "spot cutoff", [](Light& l, Random& r) { l.spot_cutoff_deg = 80.0f * number(r); }, shines);
+  const auto near = [light](const View& v) { return v.shines(light(v)) && light(v).position_eye.w != 0.0f; };
+  add(
+      "constant attenuation", [](Light& l, Random& r) { l.constant_attenuation += number(r); }, near);
+  add(
+      "linear attenuation", [](Light& l, Random& r) { l.linear_attenuation += number(r); }, near);
+  add(
+      "quadratic attenuation", [](Light& l, Random& r) { l.quadratic_attenuation += number(r); }, near);
+}
+
+void add_material(std::vector<Parameter>& list, int face) {
+  const std::string name = face == 0 ? "front " : "back ";
+  const auto add = [&](const char* part, std::function<void(MaterialFace&, Random&)> change,
+                       std::function<bool(const View&)> shows) {
+    list.push_back(
+        {name + part,
+         [face, change](State& s, Random& r) { change(s.lighting.material[static_cast<std::size_t>(face)], r); },
+         shows});
+  };
+  add(
+      "ambient", [](MaterialFace& m, Random& r) { m.ambient = color(r); },
+      [face](const View& v) { return v.material(face, GL_AMBIENT) && v.ambient(); });
+  add(
+      "diffuse", [](MaterialFace& m, Random& r) { m.diffuse = color(r); },
+      [face](const View& v) { return v.material(face, GL_DIFFUSE); });
+  add(
+      "diffuse alpha", [](MaterialFace& m, Random& r) { m.diffuse.w += number(r); },
+      [face](const View& v) { return v.material(face, GL_DIFFUSE); });
+  add(
+      "specular", [](MaterialFace& m, Random& r) { m.specular = color(r); },
+      [face](const View& v) { return v.material(face, GL_SPECULAR) && v.specular(); });
+  add(
+      "emission", [](MaterialFace& m, Random& r) { m.emission = color(r); },
+      [face](const View& v) { return v.material(face, GL_EMISSION); });
+  add(
+      "other alphas", [](MaterialFace& m, Random& r) { m.ambient.w = m.specular.w = m.emission.w = number(r); }, never);
+  add(
+      "shininess", [](MaterialFace& m, Random& r) { m.shininess += number(r); },
+      [face](const View& v) { return v.face_lit(face) && v.specular(); });
+  add(
+      "colour indexes", [](MaterialFace& m, Random& r) { m.color_indexes.x = number(r); }, never);
+}
+
+void add_lighting(std::vector<Parameter>& list) {
+  list.push_back(
+      {"lighting", [](State& s, Random&) { s.lighting.enabled ^= true; }, [](const View& v) { return v.colors(); }});
+  list.push_back(
+      {"shade model",
+       [](State& s, Random&) { s.lighting.shade_model = s.lighting.shade_model == GL_FLAT ? GL_SMOOTH : GL_FLAT; },
+       [](const View& v) { return v.colors(); }});
+  list.push_back({"model ambient", [](State& s, Random& r) { s.lighting.model_ambient = color(r); },
+                  [](const View& v) { return v.lit(); }});
+  list.push_back({"model ambient alpha", [](State& s, Random& r) { s.lighting.model_ambient.w += number(r); }, never});
+  list.push_back({"local viewer", [](State& s, Random&) { s.lighting.model_local_viewer ^= true; },
+                  [](const View& v) { return v.specular(); }});
+  list.push_back({"two side", [](State& s, Random&) { s.lighting.model_two_side ^= true; },
+                  [](const View& v) { return v.lit() && v.back(); }});
+  list.push_back({"color control",
+                  [](State& s, Random& r) {
+                    s.lighting.model_color_control =
+                        other(r, s.lighting.model_color_control, {GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR});
+                  },
+                  [](const View& v) { return v.specular(); }});
+  list.push_back({"color material", [](State& s, Random&) { s.lighting.color_material_enabled ^= true; },
+                  [](const View& v) {
+                    State enabled = v.state;
+                    enabled.lighting.color_material_enabled = true;
+                    const View w{enabled, v.target};
+                    bool shown = false;
+                    for (int face = 0; face < 2; ++face) {
+                      const GLenum name = face == 0 ? GL_FRONT : GL_BACK;
+                      shown |= w.face_lit(face) && (w.follows(GL_DIFFUSE, name) || w.follows(GL_EMISSION, name) ||
+                                                    (w.follows(GL_AMBIENT, name) && w.ambient()) ||
+                                                    (w.follows(GL_SPECULAR, name) && w.specular()));
+                    }
+                    return shown;
+                  }});
+  for (std::size_t i = 0; i < 3; ++i) add_light(list, i);
+  for (int face = 0; face < 2; ++face) add_material(list, face);
+}
+
+void add_rasterization(std::vector<Parameter>& list) {
+  list.push_back({"front face",
+                  [](State& s, Random& r) {
+                    s.polygon.front_face = other(r, s.polygon.front_face, {GL_CW, GL_CCW});
+                  },
+                  [](const View& v) {
+                    const PolygonGroup& p = v.state.polygon;
+                    return v.front() != v.back() || (v.front() && p.front_mode != p.back_mode) ||
+                           (v.front() && v.two_sided());
+                  }});
+  list.push_back({"cull face",
+                  [](State& s, Random& r) {
+                    s.polygon.cull_face = other(r, s.polygon.cull_face, {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK});
+                  },
+                  [](const View& v) { return v.state.polygon.cull_enabled; }});
+  list.push_back({"cull", [](State& s, Random&) { s.polygon.cull_enabled ^= true; }, always});
+  list.push_back({"front mode",
+                  [](State& s, Random& r) {
+                    s.polygon.front_mode = other(r, s.polygon.front_mode, {GL_POINT, GL_LINE, GL_FILL});
+                  },
+                  [](const View& v) { return v.front(); }});
+  list.push_back({"back mode",
+                  [](State& s, Random& r) {
+                    s.polygon.back_mode = other(r, s.polygon.back_mode, {GL_POINT, GL_LINE, GL_FILL});
+                  },
+                  [](const View& v) { return v.back(); }});
+}
+
+void add_framebuffer(std::vector<Parameter>& list) {
+  list.push_back({"scissor box", [](State& s, Random&) { s.scissor.x += 1; },
+                  [](const View& v) { return v.state.scissor.enabled; }});
+  list.push_back({"scissor test", [](State& s, Random&) { s.scissor.enabled ^= true; }, always});
+  list.push_back({"depth test", [](State& s, Random&) { s.depth.test_enabled ^= true; },
+                  [](const View& v) {
+                    return v.target.format.depth != pipeline::DepthFormat::none &&
+                           (v.state.depth.func != GL_ALWAYS || v.state.depth.write_enabled);
+                  }});
+  list.push_back({"depth func",
+                  [](State& s, Random& r) {
+                    s.depth.func = other(r, s.depth.func, {GL_NEVER, GL_LESS, GL_ALWAYS});
+                  },
+                  [](const View& v) {
+                    return v.target.format.depth != pipeline::DepthFormat::none && v.state.depth.test_enabled;
+                  }});
+  list.push_back({"depth mask", [](State& s, Random&) { s.depth.write_enabled ^= true; },
+                  [](const View& v) {
+                    return v.target.format.depth != pipeline::DepthFormat::none && v.state.depth.test_enabled &&
+                           v.state.depth.func != GL_NEVER;
+                  }});
+  list.push_back({"color mask", [](State& s, Random&) { s.color_buffer.write_enabled[2] ^= true; },
+                  [](const View& v) { return v.target.format.color != pipeline::ColorFormat::none; }});
+}
+
+void add_what_no_draw_reads(std::vector<Parameter>& list) {
+  list.push_back({"current color", [](State& s, Random& r) { s.current.color = color(r); }, never});
+  list.push_back({"current normal", [](State& s, Random& r) { s.current.normal_object.x = number(r); }, never});
+  list.push_back({"clear color", [](State& s, Random& r) { s.color_buffer.clear_color = color(r); }, never});
+  list.push_back({"clear depth", [](State& s, Random& r) { s.depth.clear_value = number(r); }, never});
+  list.push_back({"stencil", [](State& s, Random&) { s.stencil = {3, 4}; }, never});
+  list.push_back({"dither", [](State& s, Random&) { s.color_buffer.dither_enabled ^= true; }, never});
+  list.push_back({"multisample", [](State& s, Random&) { s.multisample.coverage_enabled ^= true; }, never});
+  list.push_back({"hint", [](State& s, Random&) { s.hint.fog = GL_NICEST; }, never});
+  list.push_back({"pack", [](State& s, Random&) { s.pack.alignment = 1; }, never});
+}
+
+std::vector<Parameter> all_parameters() {
+  std::vector<Parameter> list;
+  add_transform(list);
+  add_lighting(list);
+  add_rasterization(list);
+  add_framebuffer(list);
+  add_what_no_draw_reads(list);
+  return list;
+}
+
+State random_state(Random& r, const std::vector<Parameter>& parameters) {
+  State s;
+  s.viewport = {3, 4, 50, 40, 0.125, 0.75};
+  s.scissor = {coin(r), 5 + pick(r, 9), 6, 20, 21};
+  s.lighting.enabled = pick(r, 4) != 0;
+  s.depth.test_enabled = coin(r);
+  for (Light& light : s.lighting.lights) {
+    light.enabled = coin(r);
+    light.ambient = color_or_black(r);
+    light.diffuse = color_or_black(r);
+    light.specular = color_or_black(r);
+    light.position_eye = {number(r), number(r), number(r), coin(r) ? 0.0f : number(r)};
+    if (coin(r)) light.spot_cutoff_deg = 90.0f * number(r);
+  }
+  if (coin(r)) s.lighting.model_ambient = glm::vec4(0);
+  s.lighting.color_material_face = other(r, 0, {GL_FRONT, GL_BACK, GL_FRONT_AND_BACK});
+  s.lighting.color_material_parameter = other(r, 0, {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION});
+  if (coin(r)) s.lighting.color_material_parameter = GL_AMBIENT_AND_DIFFUSE;
+  if (pick(r, 4) == 0) s.color_buffer.write_enabled = {false, false, coin(r), false};
+  for (const Parameter& parameter : parameters) {
+    if (coin(r)) parameter.change(s, r);
+  }
+  return s;
+}
+
+TargetInfo random_target(Random& r) {
+  constexpr pipeline::ColorFormat colors[] = {pipeline::ColorFormat::none, pipeline::ColorFormat::rgba8,
+                                              pipeline::ColorFormat::rgba8, pipeline::ColorFormat::rgba32f};
+  constexpr pipeline::DepthFormat depths[] = {pipeline::DepthFormat::none, pipeline::DepthFormat::z16,
+                                              pipeline::DepthFormat::z24s8, pipeline::DepthFormat::z24s8};
+  return {100, 80, {colors[pick(r, 4)], depths[pick(r, 4)]}, 255};
+}
+
+TEST(Snapshot, DiffersExactlyWhereThePictureCanShowTheParameter) {
+  const std::vector<Parameter> parameters = all_parameters();
+  Random random(7);
+  std::vector<int> shown(parameters.size()), hidden(parameters.size());
+  for (int round = 0; round < 3000; ++round) {
+    const State state = random_state(random, parameters);
+    const TargetInfo target = random_target(random);
+    const pipeline::DrawState before = snapshot_of(state, target);
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+      State changed = state;
+      parameters[i].change(changed, random);
+      const bool shows = parameters[i].shows({state, target});
+      ASSERT_EQ(snapshot_of(changed, target) != before, shows) << parameters[i].name << ", round " << round;
+      ++(shows ? shown : hidden)[i];
+    }
+  }
+  for (std::size_t i = 0; i < parameters.size(); ++i) EXPECT_GT(shown[i] + hidden[i], 0) << parameters[i].name;
+}
+
+TEST(Snapshot, OfTheInitialStateIsTheInitialDrawState) {
+  const TargetInfo target{0, 0, {pipeline::ColorFormat::rgba8, pipeline::DepthFormat::z24s8}, 255};
+  EXPECT_EQ(snapshot_of(State(), target), pipeline::DrawState());
+}
+
+TEST(Snapshot, ScissorBoxIsIntersectedWithTheTarget) {
+  const TargetInfo target{64, 32, {pipeline::ColorFormat::rgba8, pipeline::DepthFormat::none}, 0};
+  State state;
+  EXPECT_EQ(snapshot_of(state, target).raster.scissor, (pipeline::PixelRect{0, 0, 64, 32}));
+  constexpr GLint most = std::numeric_limits<GLint>::max(), least = std::numeric_limits<GLint>::min();
+  state.scissor = {true, -5, -5, most, most};
+  EXPECT_EQ(snapshot_of(state, target).raster.scissor, (pipeline::PixelRect{0, 0, 64, 32}));
+  state.scissor = {true, 60, 30, most, 1};
+  EXPECT_EQ(snapshot_of(state, target).raster.scissor, (pipeline::PixelRect{60, 30, 64, 31}));
+  for (const ScissorGroup outside : {ScissorGroup{true, 64, 0, 9, 9}, ScissorGroup{true, most, most, most, most},
+                                     ScissorGroup{true, least, least, 9, 9}, ScissorGroup{true, 3, 3, 0, 9}}) {
+    state.scissor = outside;
+    EXPECT_EQ(snapshot_of(state, target).raster.scissor, pipeline::PixelRect());
+  }
+}
+
+TEST(PreparedLight, IsInEyeSpaceAndOfUnitDirection) {
+  Light light;
+  light.position_eye = {0, 3, 4, 0};
+  light.diffuse = glm::vec4(1);
+  light.linear_attenuation = 5;
+  const pipeline::PreparedLight directional = prepare_light(light);
+  EXPECT_FALSE(directional.positional);
+  EXPECT_EQ(directional.position_eye, glm::vec3(0, 0.6f, 0.8f));
+  EXPECT_EQ(directional.attenuation, glm::vec3(1, 0, 0));
+  EXPECT_FALSE(directional.spot);
+
+  light.position_eye = {2, 4, 6, 2};
+  light.spot_cutoff_deg = 90;
+  light.spot_direction_eye = {0, 0, -7};
+  const pipeline::PreparedLight spot = prepare_light(light);
+  EXPECT_TRUE(spot.positional && spot.spot);
+  EXPECT_EQ(spot.position_eye, glm::vec3(1, 2, 3));
+  EXPECT_EQ(spot.attenuation, glm::vec3(1, 5, 0));
+  EXPECT_EQ(spot.spot_direction_eye, glm::vec3(0, 0, -1));
+  EXPECT_EQ(spot.spot_cutoff_cosine, 0.0f);
+  light.spot_cutoff_deg = 60;
+  EXPECT_EQ(prepare_light(light).spot_cutoff_cosine, 0.5f);
+}
+
+TEST(PreparedLight, WithoutADirectionIsZero) {
+  Light light;
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (const glm::vec4 position : {glm::vec4(0, 0, 0, 0), glm::vec4(infinity, 0, 0, 0)}) {
+    light.position_eye = position;
+    EXPECT_EQ(prepare_light(light).position_eye, glm::vec3(0));
+  }
+}
+
+TEST(ClearState, LeavesOutWhatIsMaskedOrMissing) {
+  State state;
+  state.stencil.clear_value = 0x1FF;
+  const GLbitfield everything = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+  const TargetInfo full{8, 8, {pipeline::ColorFormat::rgba8, pipeline::DepthFormat::z24s8}, 255};
+  const pipeline::ClearState all = clear_state(state, full, everything);
+  EXPECT_TRUE(all.color && all.depth && all.stencil);
+  EXPECT_EQ(all.clear_stencil, 255u);
+
+  state.depth.write_enabled = false;
+  state.stencil.write_mask = 0xF00;
+  state.color_buffer.write_enabled = {false, false, false, false};
+  const pipeline::ClearState masked = clear_state(state, full, everything);
+  EXPECT_FALSE(masked.color || masked.depth || masked.stencil);
+  const pipeline::ClearState bare = clear_state(State(), {8, 8, {}, 0}, everything);
+  EXPECT_FALSE(bare.color || bare.depth || bare.stencil);
+}
+
+}  // namespace
+}  // namespace gouraud::api
