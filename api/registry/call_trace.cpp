@@ -5,7 +5,9 @@
 
 namespace gouraud::api {
 
-CallTrace::CallTrace(const char* command) : line_(command) { line_ += '('; }
+CallTrace::CallTrace(const char* command) : line_(command) {
+  line_ += '(';
+}
 
 CallTrace::~CallTrace() {
   line_ += ")\n";
@@ -46,7 +48,8 @@ void CallTrace::add_pointer(const void* pointer) {
     return;
   }
   char digits[32];
-  std::snprintf(digits, sizeof(digits), "0x%llx", static_cast<unsigned long long>(reinterpret_cast<std::uintptr_t>(pointer)));
+  std::snprintf(digits, sizeof(digits), "0x%llx",
+                static_cast<unsigned long long>(reinterpret_cast<std::uintptr_t>(pointer)));
   line_ += digits;
 }
 

@@ -25,14 +25,30 @@ inline constexpr std::array<GLfloat, 256> ubyte_components = [] {
 
 /// A component of a colour or a normal: [0, 1] for unsigned types, [-1, 1] for signed ones, floats as they are.
 /// choice: each is the exact quotient, rounded to float (32-bit integers by way of double).
-constexpr GLfloat to_component(GLubyte c) { return ubyte_components[c]; }
-constexpr GLfloat to_component(GLbyte c) { return static_cast<GLfloat>(2 * c + 1) / 255.0f; }
-constexpr GLfloat to_component(GLushort c) { return static_cast<GLfloat>(c) / 65535.0f; }
-constexpr GLfloat to_component(GLshort c) { return static_cast<GLfloat>(2 * c + 1) / 65535.0f; }
-constexpr GLfloat to_component(GLuint c) { return static_cast<GLfloat>(c / 4294967295.0); }
-constexpr GLfloat to_component(GLint c) { return static_cast<GLfloat>((2.0 * c + 1.0) / 4294967295.0); }
-constexpr GLfloat to_component(GLfloat c) { return c; }
-constexpr GLfloat to_component(GLdouble c) { return static_cast<GLfloat>(c); }
+constexpr GLfloat to_component(GLubyte c) {
+  return ubyte_components[c];
+}
+constexpr GLfloat to_component(GLbyte c) {
+  return static_cast<GLfloat>(2 * c + 1) / 255.0f;
+}
+constexpr GLfloat to_component(GLushort c) {
+  return static_cast<GLfloat>(c) / 65535.0f;
+}
+constexpr GLfloat to_component(GLshort c) {
+  return static_cast<GLfloat>(2 * c + 1) / 65535.0f;
+}
+constexpr GLfloat to_component(GLuint c) {
+  return static_cast<GLfloat>(c / 4294967295.0);
+}
+constexpr GLfloat to_component(GLint c) {
+  return static_cast<GLfloat>((2.0 * c + 1.0) / 4294967295.0);
+}
+constexpr GLfloat to_component(GLfloat c) {
+  return c;
+}
+constexpr GLfloat to_component(GLdouble c) {
+  return static_cast<GLfloat>(c);
+}
 
 using FloatMatrix = std::array<GLfloat, 16>;
 

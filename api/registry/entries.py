@@ -101,7 +101,7 @@ extern "C" GOURAUD_EXPORT {command.returns} gl{command.name}({command.parameters
 
 
 def _alias(alias, command):
-    """The same symbol under another name; or a call, where the types differ in sign (TexImage3DEXT's internalformat)."""
+    """The same symbol under another name; or a call, where types differ in sign (TexImage3DEXT's internalformat)."""
     declared = f"{command.returns} gl{alias.name}({alias.parameters()})"
     if [param.type for param in alias.params] == [param.type for param in command.params]:
         return f'extern "C" GOURAUD_EXPORT __attribute__((alias("gl{command.name}"))) {declared};\n'
@@ -135,8 +135,7 @@ def _trace_lines(command):
 
 def _trace_argument(command, param):
     group = f"EnumGroup::{param.group or 'none'}"
-    shaped = families.parameter_family_of(command.name)
-    family = shaped[0] if shaped else families.family_with_vector(command.name)
+    family = families.parameter_family_of(command.name)
     if param.name in ("param", "params") and family:
         address = param.name if param.is_pointer else "&" + param.name
         return f"call.add_parameter({handlers_module.shape_function(family)}(pname), {address});"

@@ -9,9 +9,9 @@ namespace gouraud::api {
 const char* name_in_group(GLenum value, EnumGroup group) {
   const EnumName* const end = enum_names + enum_name_count;
   const std::pair wanted(group, value);
-  const EnumName* const found = std::lower_bound(
-      enum_names, end, wanted,
-      [](const EnumName& row, const auto& key) { return std::pair(row.group, row.value) < key; });
+  const EnumName* const found = std::lower_bound(enum_names, end, wanted, [](const EnumName& row, const auto& key) {
+    return std::pair(row.group, row.value) < key;
+  });
   return found != end && std::pair(found->group, found->value) == wanted ? found->name : nullptr;
 }
 

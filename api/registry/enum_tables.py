@@ -5,8 +5,8 @@ NOTE = "// Written by api/registry/generate.py from gl.xml.\n"
 
 def used_groups(registry):
     params = [param for command in registry.commands.values() for param in command.params]
-    groups = {param.group for param in params if param.type in ("GLenum", "GLbitfield") or param.group == "InternalFormat"}
-    return ["none"] + sorted((groups | {"ErrorCode"}) - {None})
+    groups = {param.group for param in params if param.type in ("GLenum", "GLbitfield")}
+    return ["none"] + sorted((groups | {"InternalFormat", "ErrorCode"}) - {None})
 
 
 def enum_groups_h(registry):

@@ -22,7 +22,7 @@ class Family:
 _POINT = ("0.0f", "0.0f", "0.0f", "1.0f")
 _COLOR = ("0.0f", "0.0f", "0.0f", "1.0f")
 
-# [GL1.5 §2.7, §2.6.2, §2.10, §2.13, §5.1]; EvalCoord and EvalPoint differ between one and two dimensions in meaning.
+# [GL1.5 §2.7, §2.6.2, §2.10, §2.13, §5.1]. One and two dimensions of EvalCoord and EvalPoint are different commands.
 FAMILIES = (
     Family("Vertex", r"Vertex[234][sifd]v?", "Vertex4f", _POINT, "coordinate"),
     Family("TexCoord", r"TexCoord[1234][sifd]v?", "TexCoord4f", _POINT, "coordinate"),
@@ -60,11 +60,10 @@ def legal_inside_begin_end(name):
 
 # [GL1.5 §5.4]: what is executed at once while a list is being compiled. NewList and EndList bound the list.
 _NOT_COMPILED = re.compile(
-    r"GenLists|DeleteLists|FeedbackBuffer|SelectBuffer|RenderMode|"
-    r"(Color|FogCoord|EdgeFlag|Index|Normal|TexCoord|SecondaryColor|Vertex)Pointer|ClientActiveTexture|InterleavedArrays|"
-    r"(Enable|Disable)ClientState|(Push|Pop)ClientAttrib|ReadPixels|PixelStore[fi]|GenTextures|DeleteTextures|"
-    r"AreTexturesResident|GenQueries|DeleteQueries|BindBuffer|DeleteBuffers|GenBuffers|BufferData|BufferSubData|"
-    r"MapBuffer|UnmapBuffer|Flush|Finish|Get[A-Z].*|Is[A-Z].*|NewList|EndList")
+    r"(Gen|Delete|Get|Is)[A-Z].*|FeedbackBuffer|SelectBuffer|RenderMode|ReadPixels|PixelStore[fi]|AreTexturesResident|"
+    r"(Color|FogCoord|EdgeFlag|Index|Normal|TexCoord|SecondaryColor|Vertex)Pointer|InterleavedArrays|"
+    r"ClientActiveTexture|(Enable|Disable)ClientState|(Push|Pop)ClientAttrib|"
+    r"BindBuffer|BufferData|BufferSubData|MapBuffer|UnmapBuffer|Flush|Finish|NewList|EndList")
 
 
 def recordable(name):
@@ -76,7 +75,8 @@ class ParameterFamily:
     """Commands of the form Name{f,i,d}[v](..., pname, param): the handler is `Name`fv.
 
     The scalar forms accept only the parameters of one value, else GL_INVALID_ENUM [GL1.5 §2.14.2]; integers convert
-    directly, but colours by [GL1.5 Table 2.9]. A pname that is not listed here is GL_INVALID_ENUM in every form but fv, and has no values in a display list.
+    directly, but colours by [GL1.5 Table 2.9]. A pname that is not listed here is GL_INVALID_ENUM in every form but fv,
+    and has no values in a display list.
     """
     name: str
     types: str
@@ -109,17 +109,9 @@ PARAMETER_FAMILIES = (
 
 
 def parameter_family_of(name):
-    """(family, type letter, is vector) of Lightf, Lightiv, ...; None for every other command, Lightfv included."""
-    for family in PARAMETER_FAMILIES:
-        match = re.fullmatch(family.name + f"([{family.types}])(v?)", name)
-        if match and match.group(0) != family.name + "fv":
-            return family, match.group(1), match.group(2) == "v"
-    return None
-
-
-def family_with_vector(name):
-    """The parameter family whose canonical command is `name`."""
-    return next((family for family in PARAMETER_FAMILIES if family.name + "fv" == name), None)
+    """The family of Lightf, Lightfv, Lighti, ...; None for every other command."""
+    matches = (family for family in PARAMETER_FAMILIES if re.fullmatch(f"{family.name}[{family.types}]v?", name))
+    return next(matches, None)
 
 
 # The other commands that only convert their arguments: command -> (canonical command, its arguments).

@@ -53,7 +53,7 @@ def main():
     parser.add_argument("--out", type=Path, help="folder to write into")
     parser.add_argument("--readme", type=Path, help="file whose support table to bring up to date")
     parser.add_argument("--extensions", type=Path, default=here / "extensions.txt")
-    parser.add_argument("--commands", type=Path, default=here.parent / "commands", help="folder of the handlers' headers")
+    parser.add_argument("--commands", type=Path, default=here.parent / "commands", help="folder of handlers' headers")
     arguments = parser.parse_args()
 
     extensions = registry_module.read_extension_list(arguments.extensions)

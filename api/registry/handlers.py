@@ -53,10 +53,10 @@ def _family_call(command, handlers):
 
 
 def _parameter_call(command, handlers):
-    found = families.parameter_family_of(command.name)
-    if found is None or found[0].name + "fv" not in handlers:
+    family = families.parameter_family_of(command.name)
+    if family is None or family.name + "fv" not in handlers:
         return None
-    family, _, is_vector = found
+    is_vector = command.params[-1].is_pointer
     *leading, value = [param.name for param in command.params]
     refuse = "shape.values == 0" if is_vector else "shape.values != 1"
     return [

@@ -64,7 +64,7 @@ POSTLUDE = """\
 
 
 def gl_h(registry):
-    text = ["/* OpenGL 1.0-1.5 and the extensions of Gouraud, written by api/registry/generate.py from gl.xml. */\n", PRELUDE]
+    text = ["/* OpenGL 1.0-1.5 with extensions, written by api/registry/generate.py from gl.xml. */\n", PRELUDE]
     for section in registry.sections:
         text.append(f"\n#ifndef {section.name}\n#define {section.name} 1\n")
         text.append(EXTENSION_TYPES.get(section.name, ""))
@@ -117,8 +117,8 @@ struct GlTable {{
   // Of the extensions; null where the library has none.
 {extensions}}};
 
-/// Fills `table` from `get_proc_address` ("glBegin" -> function, null if unknown). True if it found all {len(registry.core)}
-/// commands of GL 1.0-1.5; what it did not find is null.
+/// Fills `table` from `get_proc_address` ("glBegin" -> function, null if unknown). True if it found all the
+/// {len(registry.core)} commands of GL 1.0-1.5; what it did not find is null.
 bool load(GlTable& table, void* (*get_proc_address)(const char*));
 
 }}  // namespace gouraud

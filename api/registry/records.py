@@ -84,7 +84,7 @@ def recorded(registry):
 
 def _inline_values(command, param):
     """How many values of a pointer's target the record itself holds; None if it keeps the pointer."""
-    if families.family_with_vector(command.name) or families.parameter_family_of(command.name):
+    if families.parameter_family_of(command.name):
         return 4
     return int(param.length) if param.length and param.length.isdigit() else None
 
@@ -95,7 +95,7 @@ def append_lines(command):
         if not param.is_pointer or _inline_values(command, param) is None:
             lines.append(f"record.{param.name} = {param.name};")
         else:
-            family = families.family_with_vector(command.name) or (families.parameter_family_of(command.name) or [None])[0]
+            family = families.parameter_family_of(command.name)
             values = f"{handlers_module.shape_function(family)}(pname).values" if family else param.length
             lines.append(f"std::copy_n({param.name}, {values}, record.{param.name});")
     opcode = f"records::Opcode::{command.name}"

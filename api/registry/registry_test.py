@@ -72,7 +72,8 @@ class Variants(unittest.TestCase):
 
     def test_a_handler_of_its_own_comes_first(self):
         self.found["Vertex3f"] = "x.h"
-        self.assertEqual(handlers.statements(REGISTRY.commands["Vertex3f"], self.found), ["api::Vertex3f(context, x, y, z);"])
+        call = handlers.statements(REGISTRY.commands["Vertex3f"], self.found)
+        self.assertEqual(call, ["api::Vertex3f(context, x, y, z);"])
 
     def test_parameters_exist(self):
         for family in families.PARAMETER_FAMILIES:
@@ -100,7 +101,8 @@ class Aliases(unittest.TestCase):
         self.assertIn("GenFramebuffersEXT", registry.commands)
         self.assertIn("GL_FRAMEBUFFER_EXT", headers.gl_h(registry))
         self.assertIn("GL_EXT_framebuffer_object", headers.extension_names_h(registry))
-        both = registry_module.read_registry(XML, {"GL_ARB_framebuffer_object": False, "GL_EXT_framebuffer_object": False})
+        both = registry_module.read_registry(
+            XML, {"GL_ARB_framebuffer_object": False, "GL_EXT_framebuffer_object": False})
         self.assertIn("GenFramebuffersEXT", both.commands["GenFramebuffers"].aliases)
 
 
@@ -111,8 +113,10 @@ class Header(unittest.TestCase):
             generate.write_if_changed(Path(folder, "GL/glext.h"), headers.glext_h(REGISTRY))
             for first, second in (("GL/gl.h", "GL/glext.h"), ("GL/glext.h", "GL/gl.h")):
                 Path(folder, "program").write_text(
-                    f"#include <{first}>\n#include <{second}>\nint main(void) {{ PFNGLBINDBUFFERARBPROC bind = &glBindBuffer;\n"
-                    "glBegin(GL_TRIANGLES); bind(GL_ARRAY_BUFFER_ARB, 0); return GL_FOG_COORD_SRC == GL_FOG_COORDINATE_SOURCE; }\n")
+                    f"#include <{first}>\n#include <{second}>\nint main(void) {{\n"
+                    "PFNGLBINDBUFFERARBPROC bind = &glBindBuffer;\nbind(GL_ARRAY_BUFFER_ARB, 0);\n"
+                    "glBegin(GL_TRIANGLES);\n"
+                    "return GL_FOG_COORD_SRC == GL_FOG_COORDINATE_SOURCE; }\n")
                 command = [compiler, *options, "-pedantic-errors", "-Wall", "-Wextra", "-Werror", "-I", folder,
                            "-fsyntax-only", "-x", language, str(Path(folder, "program"))]
                 result = subprocess.run(command, capture_output=True, text=True)
@@ -128,7 +132,8 @@ class Header(unittest.TestCase):
     def test_values(self):
         text = headers.gl_h(REGISTRY)
         for line in ("#define GL_TRIANGLES 0x0004", "#define GL_LIGHT0 0x4000", "#define GL_BGRA 0x80E1",
-                     "#define GL_ALL_ATTRIB_BITS 0xFFFFFFFF", "#define GL_FALSE 0", "#define GL_TABLE_TOO_LARGE 0x8031"):
+                     "#define GL_ALL_ATTRIB_BITS 0xFFFFFFFF", "#define GL_FALSE 0",
+                     "#define GL_TABLE_TOO_LARGE 0x8031"):
             self.assertIn(line + "\n", text)
 
 

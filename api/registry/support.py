@@ -78,8 +78,7 @@ def _abbreviate(names):
     """Typed variants of one family under the family's name."""
     groups = {}
     for name in names:
-        family = families.family_of(name) or next((f for f in families.PARAMETER_FAMILIES
-                                                   if re.fullmatch(f.name + "[fid]v?", name)), None)
+        family = families.family_of(name) or families.parameter_family_of(name)
         groups.setdefault(family.name + "*" if family and family.name != name else name, []).append(name)
     return [group if len(members) > 1 else members[0] for group, members in groups.items()]
 

@@ -27,6 +27,8 @@ class Context {
 };
 
 extern constinit thread_local Context* test_context;
-inline Context* current_context() { return test_context; }
+inline Context* current_context() {
+  return test_context;
+}
 
 }  // namespace gouraud::api
