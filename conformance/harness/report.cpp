@@ -133,20 +133,22 @@ void write_scene(std::ostream& out, std::string_view candidate, const SceneResul
 }  // namespace
 
 std::string summary_header() {
-  return "               coverage pixels differing from oracle/llvmpipe; pixels identical to llvmpipe's; largest colour\n"
-         "               error, oracle/llvmpipe, 1/255; mean of it; largest depth error in units, ours (llvmpipe's)\n";
+  return "coverage: pixels that differ from the oracle's/llvmpipe's; same: % of the pixels equal to llvmpipe's; max, mean:\n"
+         "colour error against the oracle/llvmpipe in 1/255; depth: largest error against the oracle in units, ours (llvmpipe)\n" +
+         padded("", 5) + padded("scene", 34) + " " + padded("section", 9) + " coverage  same %    max      mean  depth\n";
 }
 
 std::string summary_line(const SceneResult& result) {
   const Verdict& verdict = result.verdict;
-  std::string line = verdict.passed() ? "pass " : "FAIL ";
-  line += padded(std::string(result.scene->name), 34) + " " + padded(std::string(result.scene->section), 9);
-  line += " cov " + padded(shown(verdict, "coverage_oracle", "%.0f") + "/" + shown(verdict, "coverage_llvmpipe", "%.0f"), 5);
-  line += " same " + padded(identical_percent(verdict) + "%", 8);
-  line += " max " + padded(shown(verdict, "color_max_oracle", "%.2f") + "/" + shown(verdict, "color_max_llvmpipe", "%.0f"), 6);
-  line += " mean " + padded(shown(verdict, "color_mean_oracle", "%.3f"), 5);
-  line += " depth " + shown(verdict, "depth_max_oracle", "%.2f") + " (" + shown(verdict, "llvmpipe_depth_max", "%.1f") + ")";
-  return line;
+  const auto pair = [&](std::string_view oracle, std::string_view llvmpipe, const char* format) {
+    return shown(verdict, oracle, format) + "/" + shown(verdict, llvmpipe, "%.0f");
+  };
+  return (verdict.passed() ? "pass " : "FAIL ") + padded(std::string(result.scene->name), 34) + " " +
+         padded(std::string(result.scene->section), 9) + " " +
+         padded(pair("coverage_oracle", "coverage_llvmpipe", "%.0f"), 9) + " " + padded(identical_percent(verdict), 8) +
+         "  " + padded(pair("color_max_oracle", "color_max_llvmpipe", "%.2f"), 8) + " " +
+         padded(shown(verdict, "color_mean_oracle", "%.3f"), 5) + " " + shown(verdict, "depth_max_oracle", "%.2f") + " (" +
+         shown(verdict, "llvmpipe_depth_max", "%.1f") + ")";
 }
 
 void Report::add(const SceneResult& result) {
