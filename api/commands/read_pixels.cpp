@@ -34,17 +34,28 @@ struct Channels {
 
 std::optional<Channels> channels_of(GLenum format) {
   switch (format) {
-    case GL_RED: return Channels{1, {0}};
-    case GL_GREEN: return Channels{1, {1}};
-    case GL_BLUE: return Channels{1, {2}};
-    case GL_ALPHA: return Channels{1, {3}};
-    case GL_RGB: return Channels{3, {0, 1, 2}};
-    case GL_BGR: return Channels{3, {2, 1, 0}};
-    case GL_RGBA: return Channels{4, {0, 1, 2, 3}};
-    case GL_BGRA: return Channels{4, {2, 1, 0, 3}};
-    case GL_LUMINANCE: return Channels{1, {luminance}};
-    case GL_LUMINANCE_ALPHA: return Channels{2, {luminance, 3}};
-    default: return std::nullopt;
+    case GL_RED:
+      return Channels{1, {0}};
+    case GL_GREEN:
+      return Channels{1, {1}};
+    case GL_BLUE:
+      return Channels{1, {2}};
+    case GL_ALPHA:
+      return Channels{1, {3}};
+    case GL_RGB:
+      return Channels{3, {0, 1, 2}};
+    case GL_BGR:
+      return Channels{3, {2, 1, 0}};
+    case GL_RGBA:
+      return Channels{4, {0, 1, 2, 3}};
+    case GL_BGRA:
+      return Channels{4, {2, 1, 0, 3}};
+    case GL_LUMINANCE:
+      return Channels{1, {luminance}};
+    case GL_LUMINANCE_ALPHA:
+      return Channels{2, {luminance, 3}};
+    default:
+      return std::nullopt;
   }
 }
 
@@ -61,8 +72,10 @@ bool is_plain_type(GLenum type) {
     case GL_SHORT:
     case GL_UNSIGNED_INT:
     case GL_INT:
-    case GL_FLOAT: return true;
-    default: return false;
+    case GL_FLOAT:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -72,7 +85,8 @@ std::optional<bool> packed_type_matches(GLenum type, GLenum format) {
     case GL_UNSIGNED_BYTE_3_3_2:
     case GL_UNSIGNED_BYTE_2_3_3_REV:
     case GL_UNSIGNED_SHORT_5_6_5:
-    case GL_UNSIGNED_SHORT_5_6_5_REV: return format == GL_RGB;
+    case GL_UNSIGNED_SHORT_5_6_5_REV:
+      return format == GL_RGB;
     case GL_UNSIGNED_SHORT_4_4_4_4:
     case GL_UNSIGNED_SHORT_4_4_4_4_REV:
     case GL_UNSIGNED_SHORT_5_5_5_1:
@@ -80,8 +94,10 @@ std::optional<bool> packed_type_matches(GLenum type, GLenum format) {
     case GL_UNSIGNED_INT_8_8_8_8:
     case GL_UNSIGNED_INT_8_8_8_8_REV:
     case GL_UNSIGNED_INT_10_10_10_2:
-    case GL_UNSIGNED_INT_2_10_10_10_REV: return format == GL_RGBA || format == GL_BGRA;
-    default: return std::nullopt;
+    case GL_UNSIGNED_INT_2_10_10_10_REV:
+      return format == GL_RGBA || format == GL_BGRA;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -104,7 +120,8 @@ std::optional<Refusal> refusal(const Framebuffer& target, GLsizei width, GLsizei
     return Refusal{GL_INVALID_ENUM, "GL_BITMAP goes with indices alone"};
   }
   if (width < 0 || height < 0) return Refusal{GL_INVALID_VALUE, "width and height must not be negative"};
-  if (packed_matches == false) return Refusal{GL_INVALID_OPERATION, "type has another number of components than format"};
+  if (packed_matches == false)
+    return Refusal{GL_INVALID_OPERATION, "type has another number of components than format"};
   if (format == GL_COLOR_INDEX) return Refusal{GL_INVALID_OPERATION, "there are no color indices in RGBA mode"};
   if (format == GL_DEPTH_COMPONENT && target.depth_format == DepthFormat::none) {
     return Refusal{GL_INVALID_OPERATION, "there is no depth buffer"};
@@ -118,9 +135,12 @@ std::optional<Refusal> refusal(const Framebuffer& target, GLsizei width, GLsizei
 
 std::size_t size_of(GLenum type) {
   switch (type) {
-    case GL_UNSIGNED_BYTE: return 1;
-    case GL_UNSIGNED_SHORT: return 2;
-    default: return 4;
+    case GL_UNSIGNED_BYTE:
+      return 1;
+    case GL_UNSIGNED_SHORT:
+      return 2;
+    default:
+      return 4;
   }
 }
 
@@ -132,7 +152,8 @@ struct Transfer {
 
   // Addresses wrap around like ClientRows does.
   std::byte* row(int i) const {
-    return reinterpret_cast<std::byte*>(reinterpret_cast<std::uintptr_t>(out) + static_cast<std::uintptr_t>(i) * stride);
+    return reinterpret_cast<std::byte*>(reinterpret_cast<std::uintptr_t>(out) +
+                                        static_cast<std::uintptr_t>(i) * stride);
   }
 };
 
@@ -146,8 +167,12 @@ Transfer clipped(const Framebuffer& target, GLint x, GLint y, GLsizei width, GLs
   const auto address = reinterpret_cast<std::uintptr_t>(pixels) + rows.first_pixel +
                        static_cast<std::uintptr_t>(x0 - x) * pixel_size +
                        static_cast<std::uintptr_t>(y0 - y) * rows.row_stride;
-  return {static_cast<int>(x0),      static_cast<int>(y0),      static_cast<int>(x1 - x0),
-          static_cast<int>(y1 - y0), reinterpret_cast<std::byte*>(address), rows.row_stride};
+  return {static_cast<int>(x0),
+          static_cast<int>(y0),
+          static_cast<int>(x1 - x0),
+          static_cast<int>(y1 - y0),
+          reinterpret_cast<std::byte*>(address),
+          rows.row_stride};
 }
 
 void swap_bytes(std::byte* elements, std::size_t count, std::size_t element_size) {
@@ -184,11 +209,16 @@ void write_color(const Transfer& transfer, const Channels& channels, bool swappi
 std::optional<PackedLayout> direct_layout(const Framebuffer& target, GLenum format, GLenum type) {
   if (target.color_format != ColorFormat::rgba8 || type != GL_UNSIGNED_BYTE) return std::nullopt;
   switch (format) {
-    case GL_RGBA: return PackedLayout::rgba8;
-    case GL_BGRA: return PackedLayout::bgra8;
-    case GL_RGB: return PackedLayout::rgb8;
-    case GL_BGR: return PackedLayout::bgr8;
-    default: return std::nullopt;
+    case GL_RGBA:
+      return PackedLayout::rgba8;
+    case GL_BGRA:
+      return PackedLayout::bgra8;
+    case GL_RGB:
+      return PackedLayout::rgb8;
+    case GL_BGR:
+      return PackedLayout::bgr8;
+    default:
+      return std::nullopt;
   }
 }
 
@@ -199,9 +229,8 @@ void read_color(const Framebuffer& target, const Transfer& transfer, GLenum form
   }
   const Channels channels = *channels_of(format);
   if (type == GL_FLOAT) {
-    write_color<float>(transfer, channels, swapping, [&](int y, float* rgba) {
-      read_color_row_float(target, transfer.x, y, transfer.width, rgba);
-    });
+    write_color<float>(transfer, channels, swapping,
+                       [&](int y, float* rgba) { read_color_row_float(target, transfer.x, y, transfer.width, rgba); });
   } else {
     write_color<std::uint8_t>(transfer, channels, false, [&](int y, std::uint8_t* rgba) {
       read_color_row_unorm8(target, transfer.x, y, transfer.width, rgba);
@@ -244,8 +273,12 @@ void read_depth(const Framebuffer& target, const Transfer& transfer, GLenum type
       read_fixed_row(target, transfer.x, y, transfer.width, fixed.data());
     }
     switch (type) {
-      case GL_FLOAT: put(i, floats); break;
-      case GL_UNSIGNED_INT: put(i, fixed); break;
+      case GL_FLOAT:
+        put(i, floats);
+        break;
+      case GL_UNSIGNED_INT:
+        put(i, fixed);
+        break;
       case GL_UNSIGNED_SHORT:
         std::transform(fixed.begin(), fixed.end(), words.begin(),
                        [](std::uint32_t z) { return static_cast<std::uint16_t>(z >> 16); });

@@ -52,13 +52,27 @@ Request parse(const int* attributes) {
   for (; attributes != nullptr && attributes[0] != 0; attributes += 2) {
     const int value = attributes[1];
     switch (attributes[0]) {
-      case OSMESA_FORMAT: request.format = static_cast<GLenum>(value); break;
-      case OSMESA_DEPTH_BITS: request.config.depth_bits = value; break;
-      case OSMESA_STENCIL_BITS: request.config.stencil_bits = value; break;
-      case OSMESA_ACCUM_BITS: request.config.accum_bits = value; break;
-      case OSMESA_PROFILE: request.profile = value; break;
-      case OSMESA_CONTEXT_MAJOR_VERSION: request.major = value; break;
-      case OSMESA_CONTEXT_MINOR_VERSION: request.minor = value; break;
+      case OSMESA_FORMAT:
+        request.format = static_cast<GLenum>(value);
+        break;
+      case OSMESA_DEPTH_BITS:
+        request.config.depth_bits = value;
+        break;
+      case OSMESA_STENCIL_BITS:
+        request.config.stencil_bits = value;
+        break;
+      case OSMESA_ACCUM_BITS:
+        request.config.accum_bits = value;
+        break;
+      case OSMESA_PROFILE:
+        request.profile = value;
+        break;
+      case OSMESA_CONTEXT_MAJOR_VERSION:
+        request.major = value;
+        break;
+      case OSMESA_CONTEXT_MINOR_VERSION:
+        request.minor = value;
+        break;
       default:
         complain("OSMesaCreateContextAttribs", "unknown attribute", attributes[0]);
         request.known = false;
@@ -73,14 +87,17 @@ struct NamedFunction {
   OSMESAproc function;
 };
 
-#define OSMESA_FUNCTION(name) NamedFunction{#name, reinterpret_cast<OSMESAproc>(&name)}
+#define OSMESA_FUNCTION(name)                    \
+  NamedFunction {                                \
+#name, reinterpret_cast < OSMESAproc>(&name) \
+  }
 const NamedFunction osmesa_functions[] = {
-    OSMESA_FUNCTION(OSMesaColorClamp),         OSMESA_FUNCTION(OSMesaCreateContext),
+    OSMESA_FUNCTION(OSMesaColorClamp),           OSMESA_FUNCTION(OSMesaCreateContext),
     OSMESA_FUNCTION(OSMesaCreateContextAttribs), OSMESA_FUNCTION(OSMesaCreateContextExt),
-    OSMESA_FUNCTION(OSMesaDestroyContext),     OSMESA_FUNCTION(OSMesaGetColorBuffer),
-    OSMESA_FUNCTION(OSMesaGetCurrentContext),  OSMESA_FUNCTION(OSMesaGetDepthBuffer),
-    OSMESA_FUNCTION(OSMesaGetIntegerv),        OSMESA_FUNCTION(OSMesaGetProcAddress),
-    OSMESA_FUNCTION(OSMesaMakeCurrent),        OSMESA_FUNCTION(OSMesaPixelStore),
+    OSMESA_FUNCTION(OSMesaDestroyContext),       OSMESA_FUNCTION(OSMesaGetColorBuffer),
+    OSMESA_FUNCTION(OSMesaGetCurrentContext),    OSMESA_FUNCTION(OSMesaGetDepthBuffer),
+    OSMESA_FUNCTION(OSMesaGetIntegerv),          OSMESA_FUNCTION(OSMesaGetProcAddress),
+    OSMESA_FUNCTION(OSMesaMakeCurrent),          OSMESA_FUNCTION(OSMesaPixelStore),
     OSMESA_FUNCTION(OSMesaPostprocess),
 };
 #undef OSMESA_FUNCTION
@@ -138,7 +155,9 @@ GLboolean OSMesaMakeCurrent(OSMesaContext ctx, void* buffer, GLenum type, GLsize
   }
 }
 
-OSMesaContext OSMesaGetCurrentContext(void) { return current_osmesa_context(); }
+OSMesaContext OSMesaGetCurrentContext(void) {
+  return current_osmesa_context();
+}
 
 void OSMesaPixelStore(GLint pname, GLint value) {
   osmesa_context* const context = current_osmesa_context();
@@ -147,8 +166,11 @@ void OSMesaPixelStore(GLint pname, GLint value) {
     case OSMESA_ROW_LENGTH:
       if (value >= 0) context->row_length_px = value;
       break;
-    case OSMESA_Y_UP: context->y_up = value != 0; break;
-    default: complain("OSMesaPixelStore", "unknown parameter", pname);
+    case OSMESA_Y_UP:
+      context->y_up = value != 0;
+      break;
+    default:
+      complain("OSMesaPixelStore", "unknown parameter", pname);
   }
 }
 
@@ -157,15 +179,30 @@ void OSMesaGetIntegerv(GLint pname, GLint* value) {
   if (value == nullptr) return;
   const auto of_context = [context](auto get) { return context != nullptr ? static_cast<GLint>(get(*context)) : 0; };
   switch (pname) {
-    case OSMESA_WIDTH: *value = of_context([](auto& c) { return c.width_px(); }); break;
-    case OSMESA_HEIGHT: *value = of_context([](auto& c) { return c.height_px(); }); break;
-    case OSMESA_FORMAT: *value = of_context([](auto& c) { return c.format(); }); break;
-    case OSMESA_TYPE: *value = of_context([](auto& c) { return c.type(); }); break;
-    case OSMESA_ROW_LENGTH: *value = of_context([](auto& c) { return c.row_length_px; }); break;
-    case OSMESA_Y_UP: *value = of_context([](auto& c) { return c.y_up; }); break;
+    case OSMESA_WIDTH:
+      *value = of_context([](auto& c) { return c.width_px(); });
+      break;
+    case OSMESA_HEIGHT:
+      *value = of_context([](auto& c) { return c.height_px(); });
+      break;
+    case OSMESA_FORMAT:
+      *value = of_context([](auto& c) { return c.format(); });
+      break;
+    case OSMESA_TYPE:
+      *value = of_context([](auto& c) { return c.type(); });
+      break;
+    case OSMESA_ROW_LENGTH:
+      *value = of_context([](auto& c) { return c.row_length_px; });
+      break;
+    case OSMESA_Y_UP:
+      *value = of_context([](auto& c) { return c.y_up; });
+      break;
     case OSMESA_MAX_WIDTH:
-    case OSMESA_MAX_HEIGHT: *value = gouraud::api::max_target_size_px; break;
-    default: complain("OSMesaGetIntegerv", "unknown parameter", pname);
+    case OSMESA_MAX_HEIGHT:
+      *value = gouraud::api::max_target_size_px;
+      break;
+    default:
+      complain("OSMesaGetIntegerv", "unknown parameter", pname);
   }
 }
 
@@ -197,9 +234,8 @@ GLboolean OSMesaGetColorBuffer(OSMesaContext ctx, GLint* width, GLint* height, G
 OSMESAproc OSMesaGetProcAddress(const char* funcName) {
   if (funcName == nullptr) return nullptr;
   const std::string_view name = funcName;
-  const auto* const found =
-      std::find_if(std::begin(osmesa_functions), std::end(osmesa_functions),
-                   [name](const NamedFunction& function) { return function.name == name; });
+  const auto* const found = std::find_if(std::begin(osmesa_functions), std::end(osmesa_functions),
+                                         [name](const NamedFunction& function) { return function.name == name; });
   return found != std::end(osmesa_functions) ? found->function : gouraud::api::proc_address(funcName);
 }
 

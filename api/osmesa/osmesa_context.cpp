@@ -23,8 +23,10 @@ bool is_osmesa_format(GLenum format) {
     case OSMESA_ARGB:
     case OSMESA_RGB:
     case OSMESA_BGR:
-    case OSMESA_RGB_565: return true;
-    default: return false;
+    case OSMESA_RGB_565:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -35,19 +37,29 @@ std::optional<PackedLayout> packed_layout(GLenum format, GLenum type) {
   }
   const auto by_type = [type](PackedLayout bytes, PackedLayout words, PackedLayout floats) {
     switch (type) {
-      case GL_UNSIGNED_BYTE: return std::optional(bytes);
-      case GL_UNSIGNED_SHORT: return std::optional(words);
-      case GL_FLOAT: return std::optional(floats);
-      default: return std::optional<PackedLayout>();
+      case GL_UNSIGNED_BYTE:
+        return std::optional(bytes);
+      case GL_UNSIGNED_SHORT:
+        return std::optional(words);
+      case GL_FLOAT:
+        return std::optional(floats);
+      default:
+        return std::optional<PackedLayout>();
     }
   };
   switch (format) {
-    case OSMESA_RGBA: return by_type(PackedLayout::rgba8, PackedLayout::rgba16, PackedLayout::rgba32f);
-    case OSMESA_BGRA: return by_type(PackedLayout::bgra8, PackedLayout::rgba16, PackedLayout::rgba32f);
-    case OSMESA_ARGB: return by_type(PackedLayout::argb8, PackedLayout::rgba16, PackedLayout::rgba32f);
-    case OSMESA_RGB: return by_type(PackedLayout::rgb8, PackedLayout::rgb16, PackedLayout::rgb32f);
-    case OSMESA_BGR: return by_type(PackedLayout::bgr8, PackedLayout::bgr16, PackedLayout::bgr32f);
-    default: return std::nullopt;
+    case OSMESA_RGBA:
+      return by_type(PackedLayout::rgba8, PackedLayout::rgba16, PackedLayout::rgba32f);
+    case OSMESA_BGRA:
+      return by_type(PackedLayout::bgra8, PackedLayout::rgba16, PackedLayout::rgba32f);
+    case OSMESA_ARGB:
+      return by_type(PackedLayout::argb8, PackedLayout::rgba16, PackedLayout::rgba32f);
+    case OSMESA_RGB:
+      return by_type(PackedLayout::rgb8, PackedLayout::rgb16, PackedLayout::rgb32f);
+    case OSMESA_BGR:
+      return by_type(PackedLayout::bgr8, PackedLayout::bgr16, PackedLayout::bgr32f);
+    default:
+      return std::nullopt;
   }
 }
 

@@ -12,6 +12,10 @@ inline constexpr int max_texture_units = 8;
 inline constexpr int max_modelview_stack_depth = 32;
 inline constexpr int max_projection_stack_depth = 32;
 inline constexpr int max_texture_stack_depth = 10;
+inline constexpr int max_attrib_stack_depth = 16, max_client_attrib_stack_depth = 16;
+inline constexpr int max_name_stack_depth = 64;
+inline constexpr int max_list_nesting = 64;
+inline constexpr int max_texture_size = 16384;
 /// The largest target and the largest viewport, in pixels a side.
 inline constexpr int max_target_size_px = 16384;
 /// choice: glViewport clamps x and y to these bounds, as Mesa does; the specification clamps only width and height.

@@ -66,7 +66,8 @@ struct Rgb565 {
     std::uint16_t packed[block_size];
     std::memcpy(words, in, sizeof words);
     for (int i = 0; i < block_size; ++i) {
-      packed[i] = static_cast<std::uint16_t>((words[i] & 0xF8u) << 8 | (words[i] >> 5 & 0x7E0u) | (words[i] >> 19 & 0x1Fu));
+      packed[i] =
+          static_cast<std::uint16_t>((words[i] & 0xF8u) << 8 | (words[i] >> 5 & 0x7E0u) | (words[i] >> 19 & 0x1Fu));
     }
     std::memcpy(out, packed, sizeof packed);
   }
@@ -132,18 +133,25 @@ ColorFormat stored_format(PackedLayout layout) {
 
 int bytes_per_pixel(PackedLayout layout) {
   switch (layout) {
-    case PackedLayout::rgb565: return 2;
+    case PackedLayout::rgb565:
+      return 2;
     case PackedLayout::rgb8:
-    case PackedLayout::bgr8: return 3;
+    case PackedLayout::bgr8:
+      return 3;
     case PackedLayout::rgba8:
     case PackedLayout::bgra8:
-    case PackedLayout::argb8: return 4;
+    case PackedLayout::argb8:
+      return 4;
     case PackedLayout::rgb16:
-    case PackedLayout::bgr16: return 6;
-    case PackedLayout::rgba16: return 8;
+    case PackedLayout::bgr16:
+      return 6;
+    case PackedLayout::rgba16:
+      return 8;
     case PackedLayout::rgb32f:
-    case PackedLayout::bgr32f: return 12;
-    case PackedLayout::rgba32f: return 16;
+    case PackedLayout::bgr32f:
+      return 12;
+    case PackedLayout::rgba32f:
+      return 16;
   }
   return 0;
 }
@@ -157,16 +165,26 @@ void pack_color_rows(const Framebuffer& target, PackedLayout layout, int x, int 
   switch (layout) {
     case PackedLayout::rgba8:
     case PackedLayout::rgba16:
-    case PackedLayout::rgba32f: return read_color_rows(target, x, y, count, rows, out, row_stride_bytes);
-    case PackedLayout::bgra8: return convert(Words<Bgra8>{});
-    case PackedLayout::argb8: return convert(Words<Argb8>{});
-    case PackedLayout::rgb8: return convert(ThreeBytes<Rgba8>{});
-    case PackedLayout::bgr8: return convert(ThreeBytes<Bgra8>{});
-    case PackedLayout::rgb565: return convert(Rgb565{});
-    case PackedLayout::rgb16: return convert(ThreeOfFour<std::uint16_t, 0>{});
-    case PackedLayout::bgr16: return convert(ThreeOfFour<std::uint16_t, 2>{});
-    case PackedLayout::rgb32f: return convert(ThreeOfFour<float, 0>{});
-    case PackedLayout::bgr32f: return convert(ThreeOfFour<float, 2>{});
+    case PackedLayout::rgba32f:
+      return read_color_rows(target, x, y, count, rows, out, row_stride_bytes);
+    case PackedLayout::bgra8:
+      return convert(Words<Bgra8>{});
+    case PackedLayout::argb8:
+      return convert(Words<Argb8>{});
+    case PackedLayout::rgb8:
+      return convert(ThreeBytes<Rgba8>{});
+    case PackedLayout::bgr8:
+      return convert(ThreeBytes<Bgra8>{});
+    case PackedLayout::rgb565:
+      return convert(Rgb565{});
+    case PackedLayout::rgb16:
+      return convert(ThreeOfFour<std::uint16_t, 0>{});
+    case PackedLayout::bgr16:
+      return convert(ThreeOfFour<std::uint16_t, 2>{});
+    case PackedLayout::rgb32f:
+      return convert(ThreeOfFour<float, 0>{});
+    case PackedLayout::bgr32f:
+      return convert(ThreeOfFour<float, 2>{});
   }
 }
 

@@ -12,9 +12,18 @@ namespace gouraud::pipeline {
 /// Channels in the order of memory, without gaps; words and floats in the machine's byte order. rgb565 is a 16-bit word
 /// with red in the top bits.
 enum class PackedLayout : std::uint8_t {
-  rgba8, bgra8, argb8, rgb8, bgr8, rgb565,  // of a ColorFormat::rgba8 target
-  rgba16, rgb16, bgr16,                     // of rgba16
-  rgba32f, rgb32f, bgr32f,                  // of rgba32f
+  rgba8,
+  bgra8,
+  argb8,
+  rgb8,
+  bgr8,
+  rgb565,  // of a ColorFormat::rgba8 target
+  rgba16,
+  rgb16,
+  bgr16,  // of rgba16
+  rgba32f,
+  rgb32f,
+  bgr32f,  // of rgba32f
 };
 
 /// What a target must store so that `layout` can be packed from it without a change of precision.

@@ -12,7 +12,9 @@ namespace {
 constexpr int width = 29, height = 11;
 
 // Channel c of pixel (x, y): different in every channel and every pixel.
-std::uint32_t channel_of(int x, int y, int c) { return static_cast<std::uint32_t>((y * width + x) * 4 + c) * 2654435761u; }
+std::uint32_t channel_of(int x, int y, int c) {
+  return static_cast<std::uint32_t>((y * width + x) * 4 + c) * 2654435761u;
+}
 
 template <class Channel>
 Channel value_of(int x, int y, int c) {
@@ -82,7 +84,8 @@ INSTANTIATE_TEST_SUITE_P(Origins, PackedColor,
 TEST(PackedColor565, CutsTheLowBitsOff) {
   const Framebuffer target = filled<std::uint8_t>(ColorFormat::rgba8);
   std::vector<std::uint16_t> out(width * height);
-  pack_color_rows(target, PackedLayout::rgb565, 0, 0, width, height, reinterpret_cast<std::byte*>(out.data()), width * 2);
+  pack_color_rows(target, PackedLayout::rgb565, 0, 0, width, height, reinterpret_cast<std::byte*>(out.data()),
+                  width * 2);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const int red = value_of<std::uint8_t>(x, y, 0), green = value_of<std::uint8_t>(x, y, 1),

@@ -50,7 +50,8 @@ void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std
     std::byte* destination = out;
     for_each_run(buffer, x, y, count, [&](const std::byte* pixels, int length) {
       for (int row = 0; row < band; ++row) {
-        copy_block_row<bytes_per_pixel>(destination + row * stride, pixels + row * block_size * bytes_per_pixel, length);
+        copy_block_row<bytes_per_pixel>(destination + row * stride, pixels + row * block_size * bytes_per_pixel,
+                                        length);
       }
       destination += length * bytes_per_pixel;
     });
@@ -62,11 +63,16 @@ void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std
 
 void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std::byte* out, std::ptrdiff_t stride) {
   switch (buffer.bytes_per_pixel()) {
-    case 2: return copy_rows<2>(buffer, x, y, count, rows, out, stride);
-    case 4: return copy_rows<4>(buffer, x, y, count, rows, out, stride);
-    case 8: return copy_rows<8>(buffer, x, y, count, rows, out, stride);
-    case 16: return copy_rows<16>(buffer, x, y, count, rows, out, stride);
-    default: break;
+    case 2:
+      return copy_rows<2>(buffer, x, y, count, rows, out, stride);
+    case 4:
+      return copy_rows<4>(buffer, x, y, count, rows, out, stride);
+    case 8:
+      return copy_rows<8>(buffer, x, y, count, rows, out, stride);
+    case 16:
+      return copy_rows<16>(buffer, x, y, count, rows, out, stride);
+    default:
+      break;
   }
 }
 
@@ -81,7 +87,9 @@ std::uint8_t unorm8_of_float(float value) {
 }
 
 // 65535 = 257 * 255, so a word's nearest byte is word / 257 to nearest; 257 is odd, there are no ties.
-std::uint8_t unorm8_of_unorm16(std::uint16_t value) { return static_cast<std::uint8_t>((value + 128u) / 257u); }
+std::uint8_t unorm8_of_unorm16(std::uint16_t value) {
+  return static_cast<std::uint8_t>((value + 128u) / 257u);
+}
 
 }  // namespace
 
@@ -114,14 +122,20 @@ void read_color_row_float(const Framebuffer& target, int x, int y, int count, fl
         *out_rgba++ = static_cast<float>(value) * (1.0f / 65535.0f);
       });
       break;
-    case ColorFormat::rgba32f: read_color_row(target, x, y, count, out_rgba); break;
+    case ColorFormat::rgba32f:
+      read_color_row(target, x, y, count, out_rgba);
+      break;
   }
 }
 
 void read_color_row_unorm8(const Framebuffer& target, int x, int y, int count, std::uint8_t* out_rgba) {
   switch (target.color_format) {
-    case ColorFormat::none: std::fill_n(out_rgba, static_cast<std::size_t>(count) * 4, std::uint8_t{0}); break;
-    case ColorFormat::rgba8: read_color_row(target, x, y, count, out_rgba); break;
+    case ColorFormat::none:
+      std::fill_n(out_rgba, static_cast<std::size_t>(count) * 4, std::uint8_t{0});
+      break;
+    case ColorFormat::rgba8:
+      read_color_row(target, x, y, count, out_rgba);
+      break;
     case ColorFormat::rgba16:
       for_each_value<std::uint16_t>(target.color, x, y, count, 4,
                                     [&](std::uint16_t value) { *out_rgba++ = unorm8_of_unorm16(value); });
@@ -139,16 +153,21 @@ void read_depth_row(const Framebuffer& target, int x, int y, int count, std::uin
       for_each_value<std::uint16_t>(target.depth, x, y, count, 1, [&](std::uint16_t value) { *out++ = value; });
       break;
     case DepthFormat::z24s8:
-      for_each_value<std::uint32_t>(target.depth, x, y, count, 1, [&](std::uint32_t word) { *out++ = word & 0xFFFFFFu; });
+      for_each_value<std::uint32_t>(target.depth, x, y, count, 1,
+                                    [&](std::uint32_t word) { *out++ = word & 0xFFFFFFu; });
       break;
     case DepthFormat::z32f:
-    case DepthFormat::none: std::fill_n(out, count, 0u); break;
+    case DepthFormat::none:
+      std::fill_n(out, count, 0u);
+      break;
   }
 }
 
 void read_depth_row_float(const Framebuffer& target, int x, int y, int count, float* out) {
   switch (target.depth_format) {
-    case DepthFormat::none: std::fill_n(out, count, 0.0f); break;
+    case DepthFormat::none:
+      std::fill_n(out, count, 0.0f);
+      break;
     case DepthFormat::z16:
       for_each_value<std::uint16_t>(target.depth, x, y, count, 1,
                                     [&](std::uint16_t value) { *out++ = static_cast<float>(value) / 65535.0f; });
@@ -158,7 +177,9 @@ void read_depth_row_float(const Framebuffer& target, int x, int y, int count, fl
         *out++ = static_cast<float>(word & 0xFFFFFFu) / 16777215.0f;
       });
       break;
-    case DepthFormat::z32f: read_depth_rows(target, x, y, count, 1, reinterpret_cast<std::byte*>(out), 0); break;
+    case DepthFormat::z32f:
+      read_depth_rows(target, x, y, count, 1, reinterpret_cast<std::byte*>(out), 0);
+      break;
   }
 }
 

@@ -18,14 +18,16 @@ void read_color_row(const Framebuffer& target, int x, int y, int count, void* ou
 void read_color_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
                      std::ptrdiff_t row_stride_bytes);
 
-/// Stored depth of `rows` rows, as read_color_rows: 16-bit words, 32-bit words with the stencil in the top 8 bits, or floats.
+/// Stored depth of `rows` rows, as read_color_rows: 16-bit words, 32-bit words with the stencil in the top 8 bits, or
+/// floats.
 void read_depth_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
                      std::ptrdiff_t row_stride_bytes);
 
 /// Colour of one row as float RGBA. Bytes give v * (1/255.0f), 16-bit words v * (1/65535.0f) (MESA-RULES 9).
 void read_color_row_float(const Framebuffer& target, int x, int y, int count, float* out_rgba);
 
-/// Colour of one row as bytes R, G, B, A. 16-bit and float buffers are converted: clamp to [0, 1], times 255, to nearest.
+/// Colour of one row as bytes R, G, B, A. 16-bit and float buffers are converted: clamp to [0, 1], times 255, to
+/// nearest.
 void read_color_row_unorm8(const Framebuffer& target, int x, int y, int count, std::uint8_t* out_rgba);
 
 /// Depth of one row as stored: 16-bit or 24-bit values as integers; not for float depth.

@@ -17,7 +17,9 @@ void store(const TiledBuffer& buffer, int x, int y, const std::vector<Value>& va
   std::memcpy(buffer.pixel(x, y), values.data(), values.size() * sizeof(Value));
 }
 
-std::uint32_t number_of(int x, int y) { return static_cast<std::uint32_t>(y * width + x) + 0x01000000u; }
+std::uint32_t number_of(int x, int y) {
+  return static_cast<std::uint32_t>(y * width + x) + 0x01000000u;
+}
 
 // Every pixel bears its own number.
 Framebuffer numbered() {
@@ -53,8 +55,10 @@ TEST(ReadRows, GiveEveryPixelOfEveryRectangleInItsPlace) {
 TEST(ReadRows, WithNegativeStrideTurnThePictureUpsideDown) {
   const Framebuffer target = numbered();
   std::vector<std::uint32_t> picture(width * height);
-  read_depth_rows(target, 0, 0, width, height, reinterpret_cast<std::byte*>(&picture[width * (height - 1)]), -width * 4);
-  for (int y = 0; y < height; ++y) ASSERT_EQ(picture[static_cast<std::size_t>((height - 1 - y) * width)], number_of(0, y));
+  read_depth_rows(target, 0, 0, width, height, reinterpret_cast<std::byte*>(&picture[width * (height - 1)]),
+                  -width * 4);
+  for (int y = 0; y < height; ++y)
+    ASSERT_EQ(picture[static_cast<std::size_t>((height - 1 - y) * width)], number_of(0, y));
 }
 
 TEST(ReadRows, MoveTheBytesOfEveryPixelSize) {
