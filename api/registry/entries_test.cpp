@@ -12,6 +12,7 @@
 #include "api/context/context.h"
 #include "api/registry/enum_names.h"
 #include "api/registry/proc_address.h"
+#include "gl_table.h"
 #include "records.h"
 
 namespace gouraud::api {
@@ -350,6 +351,26 @@ TEST(ProcAddress, FindsEveryNameAndNothingElse) {
   for (std::size_t i = 0; i < named_proc_count; ++i) {
     EXPECT_EQ(proc_address(named_procs[i].name), named_procs[i].proc) << named_procs[i].name;
   }
+}
+
+void* find_proc(const char* name) {
+  return reinterpret_cast<void*>(proc_address(name));
+}
+
+TEST(GlTable, HoldsEveryCommand) {
+  GlTable table;
+  EXPECT_TRUE(load(table, find_proc));
+  EXPECT_EQ(table.Vertex3f, &glVertex3f);
+  EXPECT_EQ(table.WindowPos3svARB, &glWindowPos3sv);
+}
+
+TEST(GlTable, IsIncompleteWithoutACoreCommand) {
+  GlTable table;
+  EXPECT_FALSE(load(table, [](const char* name) { return std::strcmp(name, "glAccum") ? find_proc(name) : nullptr; }));
+  EXPECT_EQ(table.Accum, nullptr);
+  EXPECT_EQ(table.Begin, &glBegin);
+  EXPECT_TRUE(load(table, [](const char* name) { return std::strstr(name, "ARB") ? nullptr : find_proc(name); }));
+  EXPECT_EQ(table.ActiveTextureARB, nullptr);
 }
 
 TEST(EnumNames, GroupDecidesAmongNamesOfOneValue) {
