@@ -80,7 +80,9 @@ std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::Ass
     case PrimitiveMode::line_strip:
       for (int i = 1; i < n; ++i) out.line(i - 1, i);
       break;
-    case PrimitiveMode::line_loop: assemble_loop(range, out); break;
+    case PrimitiveMode::line_loop:
+      assemble_loop(range, out);
+      break;
     case PrimitiveMode::triangles:
       for (int i = 0; i + 2 < n; i += 3) out.triangle(i, i + 1, i + 2, i + 2);
       break;
@@ -94,13 +96,16 @@ std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::Ass
       for (int i = 2; i < n; ++i) out.triangle(0, i - 1, i, i);
       break;
     case PrimitiveMode::quads: {
-      const bool filled =
-          state.polygon_mode_front == PolygonMode::fill && state.polygon_mode_back == PolygonMode::fill;
+      const bool filled = state.polygon_mode_front == PolygonMode::fill && state.polygon_mode_back == PolygonMode::fill;
       assemble_quads(range, filled && state.shade_model == pipeline::ShadeModel::smooth, out);
       break;
     }
-    case PrimitiveMode::quad_strip: assemble_quad_strip(range, out); break;
-    case PrimitiveMode::polygon: assemble_polygon(range, out); break;
+    case PrimitiveMode::quad_strip:
+      assemble_quad_strip(range, out);
+      break;
+    case PrimitiveMode::polygon:
+      assemble_polygon(range, out);
+      break;
   }
   return out.take();
 }

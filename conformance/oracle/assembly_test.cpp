@@ -15,9 +15,10 @@ std::vector<Primitive> assembled(PrimitiveMode mode, int count, bool begins = tr
 
 TEST(Assembly, CountsPrimitives) {
   const std::vector<std::pair<PrimitiveMode, std::size_t>> of_seven_vertices{
-      {PrimitiveMode::points, 7},     {PrimitiveMode::lines, 3},          {PrimitiveMode::line_loop, 7},    {PrimitiveMode::line_strip, 6},
-      {PrimitiveMode::triangles, 2},  {PrimitiveMode::triangle_strip, 5}, {PrimitiveMode::triangle_fan, 5}, {PrimitiveMode::quads, 2},
-      {PrimitiveMode::quad_strip, 4}, {PrimitiveMode::polygon, 5}};
+      {PrimitiveMode::points, 7},       {PrimitiveMode::lines, 3},     {PrimitiveMode::line_loop, 7},
+      {PrimitiveMode::line_strip, 6},   {PrimitiveMode::triangles, 2}, {PrimitiveMode::triangle_strip, 5},
+      {PrimitiveMode::triangle_fan, 5}, {PrimitiveMode::quads, 2},     {PrimitiveMode::quad_strip, 4},
+      {PrimitiveMode::polygon, 5}};
   for (const auto& [mode, expected] : of_seven_vertices) {
     EXPECT_EQ(assembled(mode, 7).size(), expected);
     EXPECT_EQ(assembled(mode, 0).size(), 0u);
@@ -64,17 +65,22 @@ TEST(Assembly, BoundaryEdgesAreThePolygons) {
   pipeline::AssemblyState flat;
   flat.shade_model = pipeline::ShadeModel::flat;
   EXPECT_EQ(boundary(assemble({PrimitiveMode::quads, true, true, 0, 4}, flat)), around);
-  EXPECT_EQ(boundary(assembled(PrimitiveMode::quad_strip, 4)), (std::vector<std::pair<int, int>>{{0, 1}, {1, 3}, {2, 0}, {3, 2}}));
+  EXPECT_EQ(boundary(assembled(PrimitiveMode::quad_strip, 4)),
+            (std::vector<std::pair<int, int>>{{0, 1}, {1, 3}, {2, 0}, {3, 2}}));
   EXPECT_EQ(boundary(assembled(PrimitiveMode::triangle_fan, 4)).size(), 6u);
 }
 
 /// A primitive of n vertices cut after `cut` of them, with the vertices of the second range renamed to what they are.
 std::vector<Primitive> in_two_ranges(PrimitiveMode mode, int n, int cut) {
-  const bool from_first = mode == PrimitiveMode::line_loop || mode == PrimitiveMode::triangle_fan || mode == PrimitiveMode::polygon;
+  const bool from_first =
+      mode == PrimitiveMode::line_loop || mode == PrimitiveMode::triangle_fan || mode == PrimitiveMode::polygon;
   std::vector<int> renamed;
-  if (from_first) renamed = {0, cut - 1};
-  else if (mode == PrimitiveMode::line_strip) renamed = {cut - 1};
-  else renamed = {cut - 2, cut - 1};
+  if (from_first)
+    renamed = {0, cut - 1};
+  else if (mode == PrimitiveMode::line_strip)
+    renamed = {cut - 1};
+  else
+    renamed = {cut - 2, cut - 1};
   for (int i = cut; i < n; ++i) renamed.push_back(i);
   std::vector<Primitive> out = assembled(mode, cut, true, false);
   for (Primitive primitive : assembled(mode, static_cast<int>(renamed.size()), false, true)) {

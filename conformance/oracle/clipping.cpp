@@ -12,12 +12,18 @@ constexpr int plane_count = 6;
 template <typename T>
 T distance(const std::array<T, 4>& p, int plane) {
   switch (plane) {
-    case 0: return -p[0] + p[3];
-    case 1: return p[0] + p[3];
-    case 2: return -p[1] + p[3];
-    case 3: return p[1] + p[3];
-    case 4: return p[2] + p[3];
-    default: return -p[2] + p[3];
+    case 0:
+      return -p[0] + p[3];
+    case 1:
+      return p[0] + p[3];
+    case 2:
+      return -p[1] + p[3];
+    case 3:
+      return p[1] + p[3];
+    case 4:
+      return p[2] + p[3];
+    default:
+      return -p[2] + p[3];
   }
 }
 
@@ -52,7 +58,8 @@ double exact_distance(const ClipVertex<T>& vertex, int plane) {
   return distance(p, plane);
 }
 
-/// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer end (MESA-RULES 2.4).
+/// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer end
+/// (MESA-RULES 2.4).
 template <typename T>
 ClipVertex<T> intersect(const ClipVertex<T>& inside, const ClipVertex<T>& outside, int plane) {
   const T d_inside = distance(inside.position, plane), d_outside = distance(outside.position, plane);

@@ -1,7 +1,7 @@
 // Takes clip-space vertices, gives what of a primitive lies in the view volume [GL1.5 §2.12, §2.14.8].
-// Positions are cut in T, in the order and from the end that MESA-RULES 2.4 prescribes; colours by the same intersection
-// computed in double. No user clip planes yet. A primitive with a coordinate, or with a distance to a plane it
-// crosses, that is not finite is dropped.
+// Positions are cut in T, in the order and from the end that MESA-RULES 2.4 prescribes; colours by the same
+// intersection computed in double. No user clip planes yet. A primitive with a coordinate, or with a distance to a
+// plane it crosses, that is not finite is dropped.
 #pragma once
 
 #include <array>

@@ -19,7 +19,8 @@ ClipVertex<float> clip_vertex(float x, float y, float z, float w, double red = 0
 }
 
 TEST(ClipTriangle, InsideStaysAsItIs) {
-  const std::array<ClipVertex<float>, 3> triangle{clip_vertex(0, 0, 0, 1), clip_vertex(1, 0, 0, 1), clip_vertex(0, 1, 0, 1)};
+  const std::array<ClipVertex<float>, 3> triangle{clip_vertex(0, 0, 0, 1), clip_vertex(1, 0, 0, 1),
+                                                  clip_vertex(0, 1, 0, 1)};
   const auto polygon = clip_triangle(triangle, 5);
   ASSERT_EQ(polygon.vertices.size(), 3u);
   EXPECT_EQ(polygon.vertices[1].position, triangle[1].position);
@@ -27,7 +28,8 @@ TEST(ClipTriangle, InsideStaysAsItIs) {
 }
 
 TEST(ClipTriangle, CutsOffACornerAndFlagsTheNewEdge) {
-  const auto polygon = clip_triangle<float>({clip_vertex(0, -0.5f, 0, 1, 0), clip_vertex(2, -0.5f, 0, 1, 1), clip_vertex(0, 0.5f, 0, 1, 0)}, 0);
+  const auto polygon = clip_triangle<float>(
+      {clip_vertex(0, -0.5f, 0, 1, 0), clip_vertex(2, -0.5f, 0, 1, 1), clip_vertex(0, 0.5f, 0, 1, 0)}, 0);
   ASSERT_EQ(polygon.vertices.size(), 4u);
   EXPECT_EQ(polygon.vertices[1].position, (std::array<float, 4>{1, -0.5f, 0, 1}));
   EXPECT_EQ(polygon.vertices[2].position, (std::array<float, 4>{1, 0, 0, 1}));
@@ -36,16 +38,19 @@ TEST(ClipTriangle, CutsOffACornerAndFlagsTheNewEdge) {
 }
 
 TEST(ClipTriangle, CutsWhatIsBehindTheEye) {
-  const auto polygon = clip_triangle<float>({clip_vertex(0, 0, 0, 1), clip_vertex(0.5f, 0, 0, 1), clip_vertex(0, 1, 0, -1)}, 7);
+  const auto polygon =
+      clip_triangle<float>({clip_vertex(0, 0, 0, 1), clip_vertex(0.5f, 0, 0, 1), clip_vertex(0, 1, 0, -1)}, 7);
   for (const auto& vertex : polygon.vertices) EXPECT_GT(vertex.position[3], 0.0f);
   EXPECT_EQ(polygon.vertices.size(), 4u);
-  EXPECT_TRUE(clip_triangle<float>({clip_vertex(0, 0, 0, -1), clip_vertex(1, 0, 0, -1), clip_vertex(0, 1, 0, -1)}, 7).vertices.empty());
+  EXPECT_TRUE(clip_triangle<float>({clip_vertex(0, 0, 0, -1), clip_vertex(1, 0, 0, -1), clip_vertex(0, 1, 0, -1)}, 7)
+                  .vertices.empty());
 }
 
 TEST(ClipTriangle, DropsWhatIsNotFinite) {
   for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
     for (std::size_t k = 0; k < 4; ++k) {
-      std::array<ClipVertex<float>, 3> triangle{clip_vertex(0, 0, 0, 1), clip_vertex(1, 0, 0, 1), clip_vertex(0, 1, 0, 1)};
+      std::array<ClipVertex<float>, 3> triangle{clip_vertex(0, 0, 0, 1), clip_vertex(1, 0, 0, 1),
+                                                clip_vertex(0, 1, 0, 1)};
       triangle[1].position[k] = bad;
       EXPECT_TRUE(clip_triangle(triangle, 7).vertices.empty());
       EXPECT_FALSE(clip_line<float>({triangle[0], triangle[1]}));
@@ -78,7 +83,8 @@ TEST(Clipping, ChangesNoVisiblePixelsColourOrDepth) {
   for (int n = 0; n < 100; ++n) {
     std::vector<TestVertex> vertices;
     for (int i = 0; i < 3; ++i) {
-      vertices.push_back(at(coordinate(random), coordinate(random), unit(random), {unit(random), unit(random), unit(random), 1}));
+      vertices.push_back(
+          at(coordinate(random), coordinate(random), unit(random), {unit(random), unit(random), unit(random), 1}));
     }
     pipeline::DrawState state = window_state();
     state.raster.depth = {true, true, pipeline::CompareFunc::always};

@@ -9,6 +9,11 @@ namespace {
 
 using pipeline::CompareFunc;
 
+/// NaN becomes 0.
+double clamped_to_unit(double value) {
+  return value > 0 ? std::min(value, 1.0) : 0.0;
+}
+
 /// A depth as the buffer holds it: what is stored, and the range of what may have been stored.
 struct Depth {
   double units = 0;
@@ -16,11 +21,13 @@ struct Depth {
 };
 
 /// Nearest integer, ties to even.
-std::uint32_t round_to_integer(double units) { return static_cast<std::uint32_t>(std::nearbyint(units)); }
+std::uint32_t round_to_integer(double units) {
+  return static_cast<std::uint32_t>(std::nearbyint(units));
+}
 
 Depth to_buffer_units(const Fragment& fragment, int depth_bits) {
   const double scale = depth_units_of(depth_bits);
-  const auto units = [scale](double z) { return std::clamp(z, 0.0, 1.0) * scale; };
+  const auto units = [scale](double z) { return clamped_to_unit(z) * scale; };
   const double ideal = units(fragment.depth);
   return {ideal, round_to_integer(ideal), round_to_integer(units(fragment.depth_lowest)),
           round_to_integer(units(fragment.depth_highest))};
@@ -28,14 +35,22 @@ Depth to_buffer_units(const Fragment& fragment, int depth_bits) {
 
 bool passes(CompareFunc func, std::uint32_t incoming, std::uint32_t stored) {
   switch (func) {
-    case CompareFunc::never: return false;
-    case CompareFunc::less: return incoming < stored;
-    case CompareFunc::equal: return incoming == stored;
-    case CompareFunc::lequal: return incoming <= stored;
-    case CompareFunc::greater: return incoming > stored;
-    case CompareFunc::notequal: return incoming != stored;
-    case CompareFunc::gequal: return incoming >= stored;
-    case CompareFunc::always: break;
+    case CompareFunc::never:
+      return false;
+    case CompareFunc::less:
+      return incoming < stored;
+    case CompareFunc::equal:
+      return incoming == stored;
+    case CompareFunc::lequal:
+      return incoming <= stored;
+    case CompareFunc::greater:
+      return incoming > stored;
+    case CompareFunc::notequal:
+      return incoming != stored;
+    case CompareFunc::gequal:
+      return incoming >= stored;
+    case CompareFunc::always:
+      break;
   }
   return true;
 }
@@ -45,26 +60,31 @@ bool is_ambiguous(CompareFunc func, const Depth& incoming, const OraclePixel& pi
   if (incoming.units == pixel.depth_units) return false;
   switch (func) {
     case CompareFunc::never:
-    case CompareFunc::always: return false;
+    case CompareFunc::always:
+      return false;
     case CompareFunc::less:
-    case CompareFunc::gequal: return incoming.lowest < pixel.depth_highest && incoming.highest >= pixel.depth_lowest;
+    case CompareFunc::gequal:
+      return incoming.lowest < pixel.depth_highest && incoming.highest >= pixel.depth_lowest;
     case CompareFunc::lequal:
-    case CompareFunc::greater: return incoming.lowest <= pixel.depth_highest && incoming.highest > pixel.depth_lowest;
+    case CompareFunc::greater:
+      return incoming.lowest <= pixel.depth_highest && incoming.highest > pixel.depth_lowest;
     case CompareFunc::equal:
-    case CompareFunc::notequal: break;
+    case CompareFunc::notequal:
+      break;
   }
   const bool can_be_equal = incoming.lowest <= pixel.depth_highest && incoming.highest >= pixel.depth_lowest;
   const bool must_be_equal = incoming.lowest == incoming.highest && pixel.depth_lowest == pixel.depth_highest;
   return can_be_equal && !must_be_equal;
 }
 
-OraclePixel written(OraclePixel pixel, const pipeline::RasterState& state, const Fragment& fragment, const Depth& depth) {
+OraclePixel written(OraclePixel pixel, const pipeline::RasterState& state, const Fragment& fragment,
+                    const Depth& depth) {
   for (std::size_t i = 0; i < 4; ++i) {
     if ((state.color_write_mask >> i & 1) == 0) continue;
-    pixel.color[i] = std::clamp(fragment.color[i], 0.0, 1.0);
+    pixel.color[i] = clamped_to_unit(fragment.color[i]);
     pixel.color_unorm8[i] = static_cast<std::uint8_t>(std::nearbyint(pixel.color[i] * 255.0));
-    pixel.color_lowest[i] = static_cast<float>(std::clamp(fragment.color_lowest[i], 0.0, 1.0));
-    pixel.color_highest[i] = static_cast<float>(std::clamp(fragment.color_highest[i], 0.0, 1.0));
+    pixel.color_lowest[i] = static_cast<float>(clamped_to_unit(fragment.color_lowest[i]));
+    pixel.color_highest[i] = static_cast<float>(clamped_to_unit(fragment.color_highest[i]));
   }
   if (state.depth.test_enabled && state.depth.write_enabled) {
     pixel.depth_units = depth.units;
@@ -119,7 +139,9 @@ void clear_pixel(OraclePixel& pixel, const pipeline::ClearState& state, double d
 
 }  // namespace
 
-double depth_units_of(int depth_bits) { return std::ldexp(1.0, depth_bits) - 1.0; }
+double depth_units_of(int depth_bits) {
+  return std::ldexp(1.0, depth_bits) - 1.0;
+}
 
 OraclePicture make_picture(int width_px, int height_px, int depth_bits) {
   OraclePicture picture;

@@ -1,7 +1,7 @@
 // Takes fragments and clears, gives the picture [GL1.5 §4.1.2, §4.1.6, §4.2.2, §4.2.3].
-// Keeps beside every ideal value the stored integer, because later tests work on stored values. Where a depth test hangs
-// on less than the legal error (OracleOptions::depth_slack_units), both outcomes are kept as possible contents of the
-// pixel; fragments of exactly the same ideal depth are equal, as repeated drawing must be [GL1.5 App. A].
+// Keeps beside every ideal value the stored integer, because later tests work on stored values. Where a depth test
+// hangs on less than the legal error (OracleOptions::depth_slack_units), both outcomes are kept as possible contents of
+// the pixel; fragments of exactly the same ideal depth are equal, as repeated drawing must be [GL1.5 App. A].
 #pragma once
 
 #include "conformance/oracle/oracle.h"

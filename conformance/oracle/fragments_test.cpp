@@ -40,7 +40,8 @@ TEST(DepthTest, RoundsToTheBuffersBits) {
   pipeline::DrawState state = window_state();
   state.raster.depth = {true, true, CompareFunc::less};
   TestOracle oracle16({}, 16), oracle24, oracle0({}, 0);
-  for (TestOracle* oracle : {&oracle16, &oracle24, &oracle0}) oracle->draw(state, PrimitiveMode::quads, screen(0.5f, red));
+  for (TestOracle* oracle : {&oracle16, &oracle24, &oracle0})
+    oracle->draw(state, PrimitiveMode::quads, screen(0.5f, red));
   EXPECT_EQ(oracle16.pixel(0, 0).depth_stored, 32768u);  // 32767.5 to even
   EXPECT_EQ(oracle24.pixel(0, 0).depth_stored, 8388608u);
   EXPECT_EQ(oracle0.pixel(0, 0).depth_stored, 0u);
@@ -79,7 +80,8 @@ TEST(DepthTest, KeepsBothOutcomesWhereSurfacesMeet) {
   const float slope = 16.0f / 16777215;  // a quarter unit a pixel: surfaces meet under a very small angle
   oracle.draw(state, PrimitiveMode::quads, screen(0.5f, red));
   oracle.draw(state, PrimitiveMode::quads,
-              {at(0, 0, 0.5f - slope, green), at(64, 0, 0.5f + slope, green), at(64, 64, 0.5f + slope, green), at(0, 64, 0.5f - slope, green)});
+              {at(0, 0, 0.5f - slope, green), at(64, 0, 0.5f + slope, green), at(64, 64, 0.5f + slope, green),
+               at(0, 64, 0.5f - slope, green)});
   EXPECT_EQ(oracle.picture().flags[oracle.picture().index(10, 30)] & pixel_depth_ambiguous, 0);
   EXPECT_EQ(oracle.picture().flags[oracle.picture().index(54, 30)] & pixel_depth_ambiguous, 0);
   const std::size_t middle = oracle.picture().index(31, 30);

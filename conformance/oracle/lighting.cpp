@@ -9,21 +9,33 @@ namespace {
 /// Where a switch in the equations hangs on an error of single precision.
 constexpr double knife_edge = 1e-6;
 
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const Vector3& a, const Vector3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /// The operator (.) of §2.14.1.
-double positive_dot(const Vector3& a, const Vector3& b) { return std::max(dot(a, b), 0.0); }
+double positive_dot(const Vector3& a, const Vector3& b) {
+  return std::max(dot(a, b), 0.0);
+}
 
-Vector3 add(const Vector3& a, const Vector3& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector3 scale(const Vector3& a, double s) { return {a[0] * s, a[1] * s, a[2] * s}; }
+Vector3 add(const Vector3& a, const Vector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+Vector3 scale(const Vector3& a, double s) {
+  return {a[0] * s, a[1] * s, a[2] * s};
+}
 
 Vector3 normalized(const Vector3& a) {
   const double length = std::hypot(a[0], a[1], a[2]);
   return length > 0 ? scale(a, 1.0 / length) : Vector3{};
 }
 
-Vector3 widen(const glm::vec3& a) { return {a.x, a.y, a.z}; }
-Color widen(const glm::vec4& a) { return {a.x, a.y, a.z, a.w}; }
+Vector3 widen(const glm::vec3& a) {
+  return {a.x, a.y, a.z};
+}
+Color widen(const glm::vec4& a) {
+  return {a.x, a.y, a.z, a.w};
+}
 
 /// sum += factor * a * b on RGB. A product that is black adds nothing, whatever the factor.
 void accumulate(Color& sum, double factor, const glm::vec4& a, const glm::vec4& b) {
@@ -33,7 +45,9 @@ void accumulate(Color& sum, double factor, const glm::vec4& a, const glm::vec4& 
   }
 }
 
-bool is_black(const glm::vec4& a, const glm::vec4& b) { return a.x * b.x == 0 && a.y * b.y == 0 && a.z * b.z == 0; }
+bool is_black(const glm::vec4& a, const glm::vec4& b) {
+  return a.x * b.x == 0 && a.y * b.y == 0 && a.z * b.z == 0;
+}
 
 /// [GL1.5 §2.14.6]; NaN becomes 0.
 Color clamped(const Color& color) {
@@ -59,7 +73,8 @@ bool invert_upper_3x3(const glm::mat4& m, std::array<Vector3, 3>& inverse) {
 }
 
 /// The material in force at a vertex: the last run that begins at or before it.
-const pipeline::MaterialPair& material_at(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, int index) {
+const pipeline::MaterialPair& material_at(const pipeline::DrawState& state, const pipeline::VertexBatch& batch,
+                                          int index) {
   const pipeline::MaterialPair* material = &state.lighting.material;
   for (const pipeline::MaterialRun& run : batch.material_runs) {
     if (run.first <= index) material = &run.material;
@@ -78,7 +93,8 @@ pipeline::Material track_color(pipeline::Material material, std::uint8_t bits, c
 
 }  // namespace
 
-Lighting::Lighting(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) : state_(state), batch_(batch) {
+Lighting::Lighting(const pipeline::DrawState& state, const pipeline::VertexBatch& batch)
+    : state_(state), batch_(batch) {
   const pipeline::TransformState& transform = state.transform;
   if (invert_upper_3x3(transform.modelview, inverse_)) {
     rescale_ = 1.0 / std::hypot(inverse_[2][0], inverse_[2][1], inverse_[2][2]);
@@ -101,14 +117,18 @@ Vector3 Lighting::normal_to_eye(int index) const {
     normal = add(normal, scale(inverse_[row], static_cast<double>(batch_.normal_object[row][i])));
   }
   switch (state_.transform.normal_scaling) {
-    case pipeline::NormalScaling::rescale: return scale(normal, rescale_);
-    case pipeline::NormalScaling::normalize: return normalized(normal);
-    case pipeline::NormalScaling::none: break;
+    case pipeline::NormalScaling::rescale:
+      return scale(normal, rescale_);
+    case pipeline::NormalScaling::normalize:
+      return normalized(normal);
+    case pipeline::NormalScaling::none:
+      break;
   }
   return normal;
 }
 
-Lighting::Lit Lighting::light(const Vector3& position_eye, const Vector3& normal_eye, const pipeline::Material& material) {
+Lighting::Lit Lighting::light(const Vector3& position_eye, const Vector3& normal_eye,
+                              const pipeline::Material& material) {
   const pipeline::LightingState& lighting = state_.lighting;
   Lit lit;
   for (std::size_t i = 0; i < 3; ++i) lit.primary[i] = material.emission[static_cast<int>(i)];

@@ -1,7 +1,7 @@
 // Takes object-space vertices, gives their colours [GL1.5 §2.11.3, §2.14.1-2.14.6].
 // Everything in double, in eye space, from the modelview matrix as given. Points are homogeneous: a vertex is divided
-// by its eye w, as the vectors of §2.14.1 are defined. 0^0 = 1 [GL1.5 §2.1.1]. A zero vector stays zero when normalised.
-// Leaves out flat shading and the choice between front and back: assembly knows them.
+// by its eye w, as the vectors of §2.14.1 are defined. 0^0 = 1 [GL1.5 §2.1.1]. A zero vector stays zero when
+// normalised. Leaves out flat shading and the choice between front and back: assembly knows them.
 #pragma once
 
 #include <cstdint>

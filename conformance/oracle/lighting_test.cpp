@@ -11,7 +11,8 @@ namespace {
 
 using pipeline::PreparedLight;
 
-/// One vertex at the origin of eye space with the normal (0, 0, 1), lit by one white light; nothing but what a test asks.
+/// One vertex at the origin of eye space with the normal (0, 0, 1), lit by one white light; nothing but what a test
+/// asks.
 struct LightingTest : testing::Test {
   LightingTest() {
     state.lighting.enabled = true;

@@ -1,6 +1,7 @@
 // Lines of width 1 by the diamond-exit rule as it is written, and points of size 1 [GL1.5 §3.3.1, §3.4.1].
 //
-// In the coordinates u = x + y, v = x - y a diamond is a square: |u - uf| < 1/2 and |v - vf| < 1/2. The line is moved by
+// In the coordinates u = x + y, v = x - y a diamond is a square: |u - uf| < 1/2 and |v - vf| < 1/2. The line is moved
+// by
 // (-e, -e^2), so u by -(e + e^2) and v by -(e - e^2), for an e smaller than any other number. The times at which it is
 // between the square's sides form an open interval for u and one for v; it meets the square if both overlap within
 // [0, 1]. Times are exact: (n + e1 e + e2 e^2) / d.
@@ -44,7 +45,9 @@ Interval time_inside(Integer position, Integer direction, int sign, Integer half
   return direction > 0 ? Interval{time_at(-half), time_at(half)} : Interval{time_at(half), time_at(-half)};
 }
 
-bool contains_end(Integer u, Integer v, Integer half) { return u > -half && u <= half && v > -half && v <= half; }
+bool contains_end(Integer u, Integer v, Integer half) {
+  return u > -half && u <= half && v > -half && v <= half;
+}
 
 /// Colour and depth of the line at a pixel's centre [GL1.5 §3.4.1 eq 3.3-3.5]. Centres before the start or behind the
 /// end have values beyond those of the end points, as the equations say.
@@ -66,7 +69,9 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
     for (std::size_t i = 0; i < 4; ++i) {
       const double value = (weight_a * color_a[i] + weight_b * color_b[i]) / weight;
       // Beyond the horizon of a line that ends near the eye: the nearer end's colour.
-      fragment.color[i] = color_a[i] == color_b[i] ? color_a[i] : weight > 0 ? value : (t < 0.5 ? color_a[i] : color_b[i]);
+      fragment.color[i] = color_a[i] == color_b[i] ? color_a[i]
+                          : weight > 0             ? value
+                                                   : (t < 0.5 ? color_a[i] : color_b[i]);
     }
   }
   fragment.color_lowest = fragment.color_highest = fragment.color;
@@ -97,8 +102,10 @@ void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>&
   // Walk the columns (rows, if the line is steep) and ask the five pixels around the line in each.
   const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   const double unit = std::ldexp(1.0, -sink.subpixel_bits);
-  const double major_a = static_cast<double>(steep ? a.y : a.x) * unit, minor_a = static_cast<double>(steep ? a.x : a.y) * unit;
-  const double major_b = static_cast<double>(steep ? b.y : b.x) * unit, minor_b = static_cast<double>(steep ? b.x : b.y) * unit;
+  const double major_a = static_cast<double>(steep ? a.y : a.x) * unit,
+               minor_a = static_cast<double>(steep ? a.x : a.y) * unit;
+  const double major_b = static_cast<double>(steep ? b.y : b.x) * unit,
+               minor_b = static_cast<double>(steep ? b.x : b.y) * unit;
   const double slope = (minor_b - minor_a) / (major_b - major_a);
   const pipeline::PixelRect& box = sink.state.scissor;
   const double box_begin = steep ? box.y0 : box.x0, box_end = steep ? box.y1 : box.x1;

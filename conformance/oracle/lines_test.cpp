@@ -44,7 +44,7 @@ TEST(DiamondExit, LinesAreHalfOpenBetweenPixelCentres) {
 }
 
 TEST(DiamondExit, TheShiftDecidesLinesBetweenPixels) {
-  EXPECT_EQ(line(10, 20, 30, 20), row(19, 10, 30));       // y = 20 - e^2
+  EXPECT_EQ(line(10, 20, 30, 20), row(19, 10, 30));                      // y = 20 - e^2
   EXPECT_EQ(line(10, 20, 10, 23), (Pixels{{9, 20}, {9, 21}, {9, 22}}));  // x = 10 - e
 }
 
@@ -68,7 +68,8 @@ TEST(DiamondExit, ReducesToBresenhamBetweenPixelCentres) {
         // Half-way up to the next centre goes up: the line is moved left, so a rising one is higher at each centre.
         expected.emplace(20 + i, 30 + (2 * dy * i + dx) / (2 * dx));
       }
-      EXPECT_EQ(line(20.5f, 30.5f, 20.5f + static_cast<float>(dx), 30.5f + static_cast<float>(dy)), expected) << dx << ' ' << dy;
+      EXPECT_EQ(line(20.5f, 30.5f, 20.5f + static_cast<float>(dx), 30.5f + static_cast<float>(dy)), expected)
+          << dx << ' ' << dy;
     }
   }
 }
@@ -113,9 +114,13 @@ TEST(DiamondExit, TheWalkMissesNoPixel) {
   std::mt19937 random(3);
   for (int n = 0; n < 500; ++n) {
     const float grid = n % 2 ? 8.0f : 256.0f;
-    const auto coordinate = [&] { return std::floor(std::uniform_real_distribution(0.0f, 64.0f)(random) * grid) / grid; };
+    const auto coordinate = [&] {
+      return std::floor(std::uniform_real_distribution(0.0f, 64.0f)(random) * grid) / grid;
+    };
     const float ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
-    const auto snapped = [](float px, float py) { return SubpixelPoint{std::lround((px - 0.5f) * 256), std::lround((py - 0.5f) * 256)}; };
+    const auto snapped = [](float px, float py) {
+      return SubpixelPoint{std::lround((px - 0.5f) * 256), std::lround((py - 0.5f) * 256)};
+    };
     Pixels expected;
     for (int y = 0; y < test_size; ++y) {
       for (int x = 0; x < test_size; ++x) {
@@ -128,7 +133,8 @@ TEST(DiamondExit, TheWalkMissesNoPixel) {
 
 TEST(LineStrip, ConnectedLinesDrawSharedPixelsOnce) {
   TestOracle oracle;
-  oracle.draw(window_state(), PrimitiveMode::line_strip, {at(2.3f, 5.1f), at(20.7f, 11.9f), at(40.2f, 30.4f), at(60.6f, 33.3f)});
+  oracle.draw(window_state(), PrimitiveMode::line_strip,
+              {at(2.3f, 5.1f), at(20.7f, 11.9f), at(40.2f, 30.4f), at(60.6f, 33.3f)});
   for (const int n : oracle.picture().fragments_written) EXPECT_LE(n, 1);
   EXPECT_EQ(oracle.all_fragments(), 58);  // one pixel in every column from 2 to 59; the last one's diamond is not left
 }
@@ -139,7 +145,8 @@ TEST(LineAttributes, ArePerspectiveCorrectAlongTheLine) {
   state.raster.depth = {true, true, pipeline::CompareFunc::always};
   const float w = 4.0f;
   oracle.draw(state, PrimitiveMode::lines,
-              {at(4.5f, 10.5f, 0.25f, {0, 0, 0, 1}), TestVertex{{60.5f * w, 10.5f * w, 0.75f * w, w}, {1, 0, 0, 1}, {0, 0, 1}}});
+              {at(4.5f, 10.5f, 0.25f, {0, 0, 0, 1}),
+               TestVertex{{60.5f * w, 10.5f * w, 0.75f * w, w}, {1, 0, 0, 1}, {0, 0, 1}}});
   const double t = (20 - 4) / 56.0;
   EXPECT_NEAR(oracle.pixel(20, 10).color[0], t / 4 / ((1 - t) + t / 4), 1e-12);
   EXPECT_NEAR(oracle.pixel(20, 10).depth_units, (0.25 + 0.5 * t) * 16777215, 1e-6);
@@ -181,7 +188,8 @@ TEST(PolygonMode, PointDrawsEachVertexOnce) {
   pipeline::DrawState state = window_state();
   state.assembly.polygon_mode_front = pipeline::PolygonMode::point;
   TestOracle oracle;
-  oracle.draw(state, PrimitiveMode::polygon, {at(10.5f, 10.5f), at(20.5f, 10.5f), at(24.5f, 15.5f), at(20.5f, 20.5f), at(10.5f, 20.5f)});
+  oracle.draw(state, PrimitiveMode::polygon,
+              {at(10.5f, 10.5f), at(20.5f, 10.5f), at(24.5f, 15.5f), at(20.5f, 20.5f), at(10.5f, 20.5f)});
   EXPECT_EQ(pixels_of(oracle), (Pixels{{10, 10}, {20, 10}, {24, 15}, {20, 20}, {10, 20}}));
   EXPECT_EQ(oracle.all_fragments(), 5);
 }
@@ -190,7 +198,8 @@ TEST(PolygonMode, BackFacesHaveTheirOwn) {
   pipeline::DrawState state = window_state();
   state.assembly.polygon_mode_back = pipeline::PolygonMode::point;
   TestOracle oracle;
-  oracle.draw(state, PrimitiveMode::triangles, {at(10, 10), at(30, 10), at(10, 30), at(40.5f, 40.5f), at(40.5f, 60.5f), at(60.5f, 40.5f)});
+  oracle.draw(state, PrimitiveMode::triangles,
+              {at(10, 10), at(30, 10), at(10, 30), at(40.5f, 40.5f), at(40.5f, 60.5f), at(60.5f, 40.5f)});
   EXPECT_GT(oracle.fragments(12, 12), 0);
   EXPECT_EQ(oracle.fragments(45, 45), 0);
   EXPECT_EQ(oracle.fragments(40, 60), 1);

@@ -45,9 +45,14 @@ class Draw {
     sink_.flat_colors = flat ? &vertex(primitive.provoking).colors : nullptr;
     sink_.face = front;
     switch (primitive.vertex_count) {
-      case 1: draw_point(primitive); break;
-      case 2: draw_line({vertex(primitive.vertex[0]), vertex(primitive.vertex[1])}); break;
-      default: draw_triangle(primitive);
+      case 1:
+        draw_point(primitive);
+        break;
+      case 2:
+        draw_line({vertex(primitive.vertex[0]), vertex(primitive.vertex[1])});
+        break;
+      default:
+        draw_triangle(primitive);
     }
   }
 
@@ -68,8 +73,9 @@ class Draw {
   }
 
   void draw_triangle(const Primitive& primitive) {
-    const ClippedPolygon<T> clipped = clip_triangle<T>(
-        {vertex(primitive.vertex[0]), vertex(primitive.vertex[1]), vertex(primitive.vertex[2])}, primitive.boundary_edges);
+    const ClippedPolygon<T> clipped =
+        clip_triangle<T>({vertex(primitive.vertex[0]), vertex(primitive.vertex[1]), vertex(primitive.vertex[2])},
+                         primitive.boundary_edges);
     std::vector<WindowVertex> polygon;
     for (const ClipVertex<T>& corner : clipped.vertices) {
       const auto window = to_window_space(corner, state_.viewport);
@@ -87,8 +93,12 @@ class Draw {
     const int area_sign = sign(unsnapped_area(polygon));
     if (!select_face(area_sign)) return;
     switch (sink_.face == front ? assembly.polygon_mode_front : assembly.polygon_mode_back) {
-      case PolygonMode::fill: fill(polygon, [area_sign](const auto&) { return area_sign; }); break;
-      case PolygonMode::line: outline(polygon, clipped.boundary); break;
+      case PolygonMode::fill:
+        fill(polygon, [area_sign](const auto&) { return area_sign; });
+        break;
+      case PolygonMode::line:
+        outline(polygon, clipped.boundary);
+        break;
       case PolygonMode::point:
         for (std::size_t i = 0; i < polygon.size(); ++i) {
           if (clipped.boundary[i]) rasterize_point(sink_, polygon[i]);
@@ -115,10 +125,14 @@ class Draw {
     const bool ccw_is_front = state_.assembly.front_face == pipeline::FrontFace::ccw;
     sink_.face = (ccw_is_front ? area_sign > 0 : area_sign < 0) ? front : back;
     switch (state_.assembly.cull) {
-      case CullMode::none: return true;
-      case CullMode::front: return sink_.face != front;
-      case CullMode::back: return sink_.face != back;
-      case CullMode::front_and_back: break;
+      case CullMode::none:
+        return true;
+      case CullMode::front:
+        return sink_.face != front;
+      case CullMode::back:
+        return sink_.face != back;
+      case CullMode::front_and_back:
+        break;
     }
     return false;
   }
@@ -189,10 +203,13 @@ void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch&
   }
 }
 
-void Oracle::clear(const pipeline::ClearState& state) { clear_picture(picture_, state); }
+void Oracle::clear(const pipeline::ClearState& state) {
+  clear_picture(picture_, state);
+}
 
 std::size_t OraclePicture::count(std::uint8_t flag_bits) const {
-  return static_cast<std::size_t>(std::ranges::count_if(flags, [flag_bits](std::uint8_t f) { return (f & flag_bits) != 0; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(flags, [flag_bits](std::uint8_t f) { return (f & flag_bits) != 0; }));
 }
 
 PixelError measure(const OraclePicture& picture, int x, int y, const std::array<std::uint8_t, 4>& rgba_unorm8,

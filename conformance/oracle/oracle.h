@@ -7,8 +7,8 @@
 // - Depth is the plane through a (clipped) triangle's unsnapped float window positions; colours are perspective-correct
 //   over the same positions, from vertex colours that are computed in double; a vertex that the clipper made gets its
 //   colour from the double intersection parameter. Values stay inside the range of the triangle's vertices.
-// PositionModel::exact replaces the float chain by double, and the grid of 1/256 pixel by one of 2^-30: the true picture,
-// from which both ours and Mesa's can be measured.
+// PositionModel::exact replaces the float chain by double, and the grid of 1/256 pixel by one of 2^-30: the true
+// picture, from which both ours and Mesa's can be measured.
 #pragma once
 
 #include <array>
@@ -69,8 +69,8 @@ struct OraclePicture {
   std::vector<std::int32_t> fragments_written;
   /// Other possible contents, by pixel index, none equal to another or to `pixels`.
   std::unordered_map<std::size_t, std::vector<OraclePixel>> alternatives;
-  /// Vertices lit on a knife's edge, where an error of 1e-6 switches a highlight or a spot light on or off (eq 2.2: n . VP
-  /// is all but 0; eq 2.5: on the rim of the cone). A scene with such vertices does not judge fairly.
+  /// Vertices lit on a knife's edge, where an error of 1e-6 switches a highlight or a spot light on or off (eq 2.2: n .
+  /// VP is all but 0; eq 2.5: on the rim of the cone). A scene with such vertices does not judge fairly.
   std::int64_t knife_edge_vertices = 0;
 
   std::size_t index(int x, int y) const {
@@ -82,8 +82,8 @@ struct OraclePicture {
 
 /// How far one pixel of another renderer is from the oracle's.
 struct PixelError {
-  double color = 0.0;  ///< largest distance of a byte from 255 * the ideal (the legal range, if extrapolated)
-  double depth = 0.0;  ///< distance of the integer from the ideal units (likewise); 0 without a depth buffer
+  double color = 0.0;        ///< largest distance of a byte from 255 * the ideal (the legal range, if extrapolated)
+  double depth = 0.0;        ///< distance of the integer from the ideal units (likewise); 0 without a depth buffer
   bool alternative = false;  ///< measured from an alternative, because that one is nearer
 };
 

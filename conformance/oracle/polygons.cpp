@@ -24,7 +24,8 @@ struct Edge {
   SubpixelPoint from, to;
   bool owns_samples = false;
 
-  Edge(const SubpixelPoint& a, const SubpixelPoint& b) : from(a), to(b), owns_samples(b.y < a.y || (b.y == a.y && b.x > a.x)) {}
+  Edge(const SubpixelPoint& a, const SubpixelPoint& b)
+      : from(a), to(b), owns_samples(b.y < a.y || (b.y == a.y && b.x > a.x)) {}
   bool covers(const SubpixelPoint& sample) const {
     const Integer area = doubled_area(from, to, sample);
     return area > 0 || (area == 0 && owns_samples);
@@ -77,8 +78,10 @@ class Interpolation {
   double highest_depth() const { return std::max({vertices_[0].z, vertices_[1].z, vertices_[2].z}); }
 
  private:
+  /// NaN (weights of 1/w that underflow) becomes the lowest value.
   static double in_range(double value, double a, double b, double c) {
-    return std::clamp(value, std::min({a, b, c}), std::max({a, b, c}));
+    const double lowest = std::min({a, b, c}), highest = std::max({a, b, c});
+    return value >= lowest ? std::min(value, highest) : lowest;
   }
 
   const std::array<WindowVertex, 3>& vertices_;

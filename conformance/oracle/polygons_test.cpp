@@ -12,7 +12,8 @@ using pipeline::PrimitiveMode;
 
 TEST(PolygonCoverage, RectangleOwnsItsLeftAndBottomEdges) {
   TestOracle oracle;
-  oracle.draw(window_state(), PrimitiveMode::quads, {at(10.5f, 10.5f), at(20.5f, 10.5f), at(20.5f, 20.5f), at(10.5f, 20.5f)});
+  oracle.draw(window_state(), PrimitiveMode::quads,
+              {at(10.5f, 10.5f), at(20.5f, 10.5f), at(20.5f, 20.5f), at(10.5f, 20.5f)});
   for (int y = 0; y < test_size; ++y) {
     for (int x = 0; x < test_size; ++x) {
       EXPECT_EQ(oracle.fragments(x, y), x >= 10 && x < 20 && y >= 10 && y < 20) << x << ' ' << y;
@@ -74,8 +75,8 @@ TEST(PolygonCoverage, PixelsOfARandomMeshAreDrawnExactlyOnce) {
 }
 
 TEST(PolygonCoverage, EdgesSnapToTheNearest256thSeenFromTheTop) {
-  // A bottom edge at 10.5 + 1/512: from the top 53.5 - 1/512, less the half pixel 53 - 1/512, a tie between 53 * 256 - 1
-  // and 53 * 256: the even one, so the edge lies on the centres of row 10 and owns them.
+  // A bottom edge at 10.5 + 1/512: from the top 53.5 - 1/512, less the half pixel 53 - 1/512, a tie between 53 * 256 -
+  // 1 and 53 * 256: the even one, so the edge lies on the centres of row 10 and owns them.
   TestOracle oracle;
   const float edge = 10.5f + 1.0f / 512;
   oracle.draw(window_state(), PrimitiveMode::quads, {at(8, edge), at(12, edge), at(12, 12), at(8, 12)});
@@ -106,7 +107,8 @@ TEST(Culling, FollowsTheSignOfTheArea) {
       state.assembly.front_face = front_face;
       state.assembly.cull = cull;
       const bool is_front = front_face == pipeline::FrontFace::ccw;
-      const bool drawn = cull == pipeline::CullMode::none || cull == (is_front ? pipeline::CullMode::back : pipeline::CullMode::front);
+      const bool drawn =
+          cull == pipeline::CullMode::none || cull == (is_front ? pipeline::CullMode::back : pipeline::CullMode::front);
       TestOracle oracle;
       oracle.draw(state, PrimitiveMode::triangles, ccw);
       EXPECT_EQ(oracle.all_fragments() > 0, drawn);
@@ -140,7 +142,9 @@ TEST(Interpolation, DepthIsAPlaneInTheWindow) {
 TEST(Interpolation, IsPerspectiveCorrect) {
   TestOracle oracle;
   const float w0 = 1.0f, w1 = 4.0f;
-  const auto vertex = [](float x, float y, float w, float red) { return TestVertex{{x * w, y * w, 0.5f * w, w}, {red, 0, 0, 1}, {0, 0, 1}}; };
+  const auto vertex = [](float x, float y, float w, float red) {
+    return TestVertex{{x * w, y * w, 0.5f * w, w}, {red, 0, 0, 1}, {0, 0, 1}};
+  };
   oracle.draw(window_state(), PrimitiveMode::quads,
               {vertex(0, 0, w0, 0), vertex(64, 0, w0, 0), vertex(64, 64, w1, 1), vertex(0, 64, w1, 1)});
   for (const int y : {0, 7, 31, 63}) {
@@ -156,8 +160,8 @@ TEST(Interpolation, StaysInsideTheVerticesRangeWhereSnappingCoversForeignSamples
   // A sliver of a thousandth of a pixel, beside the centres of column 10 but snapped onto them and beyond.
   const float left = 10.5f + 0.0021f, right = 10.5f + 0.0031f;
   oracle.draw(state, PrimitiveMode::quads,
-              {at(left, 2, 0.2f, {0.2f, 0, 0, 1}), at(right, 2, 0.6f, {0.6f, 0, 0, 1}), at(right, 60, 0.6f, {0.6f, 0, 0, 1}),
-               at(left, 60, 0.2f, {0.2f, 0, 0, 1})});
+              {at(left, 2, 0.2f, {0.2f, 0, 0, 1}), at(right, 2, 0.6f, {0.6f, 0, 0, 1}),
+               at(right, 60, 0.6f, {0.6f, 0, 0, 1}), at(left, 60, 0.2f, {0.2f, 0, 0, 1})});
   ASSERT_EQ(oracle.fragments(10, 30), 0);  // snapped to 10.5 + 1/256
   const float on_centre = 10.5f + 0.0011f;
   oracle.draw(state, PrimitiveMode::quads,
@@ -176,10 +180,12 @@ TEST(Interpolation, StaysInsideTheVerticesRangeWhereSnappingCoversForeignSamples
 TEST(FlatShading, TakesTheProvokingVertex) {
   pipeline::DrawState state = window_state();
   state.assembly.shade_model = pipeline::ShadeModel::flat;
-  const std::vector<TestVertex> quad{at(0, 0, 0, {0.1f, 0, 0, 1}), at(64, 0, 0, {0.2f, 0, 0, 1}), at(64, 64, 0, {0.3f, 0, 0, 1}),
-                                     at(0, 64, 0, {0.4f, 0, 0, 1})};
-  const std::vector<std::pair<PrimitiveMode, float>> expected{
-      {PrimitiveMode::quads, 0.4f}, {PrimitiveMode::polygon, 0.1f}, {PrimitiveMode::triangles, 0.3f}, {PrimitiveMode::triangle_fan, 0.3f}};
+  const std::vector<TestVertex> quad{at(0, 0, 0, {0.1f, 0, 0, 1}), at(64, 0, 0, {0.2f, 0, 0, 1}),
+                                     at(64, 64, 0, {0.3f, 0, 0, 1}), at(0, 64, 0, {0.4f, 0, 0, 1})};
+  const std::vector<std::pair<PrimitiveMode, float>> expected{{PrimitiveMode::quads, 0.4f},
+                                                              {PrimitiveMode::polygon, 0.1f},
+                                                              {PrimitiveMode::triangles, 0.3f},
+                                                              {PrimitiveMode::triangle_fan, 0.3f}};
   for (const auto& [mode, red] : expected) {
     TestOracle oracle;
     oracle.draw(state, mode, quad);

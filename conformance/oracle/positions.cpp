@@ -24,7 +24,8 @@ std::array<std::array<T, 4>, 4> combined_matrix(const pipeline::TransformState& 
 }
 
 template <typename T>
-std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix, const std::array<float, 4>& position_object) {
+std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix,
+                               const std::array<float, 4>& position_object) {
   std::array<T, 4> clip{};
   for (std::size_t row = 0; row < 4; ++row) {
     const T x = position_object[0] * matrix[0][row];
@@ -39,7 +40,8 @@ std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix, co
 template <typename T>
 std::optional<WindowVertex> to_window_space(const ClipVertex<T>& vertex, const pipeline::ViewportState& viewport) {
   const T half = static_cast<T>(0.5);
-  const T half_width = static_cast<T>(viewport.width_px) * half, half_height = static_cast<T>(viewport.height_px) * half;
+  const T half_width = static_cast<T>(viewport.width_px) * half,
+          half_height = static_cast<T>(viewport.height_px) * half;
   const T scale_z = static_cast<T>((viewport.depth_far - viewport.depth_near) * 0.5);
   const T center_z = static_cast<T>((viewport.depth_far + viewport.depth_near) * 0.5);
   const T center_x = half_width + static_cast<T>(viewport.x);

@@ -25,7 +25,8 @@ template <typename T>
 std::array<std::array<T, 4>, 4> combined_matrix(const pipeline::TransformState& transform);
 
 template <typename T>
-std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix, const std::array<float, 4>& position_object);
+std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix,
+                               const std::array<float, 4>& position_object);
 
 /// Empty if a coordinate is not finite (w = 0).
 template <typename T>

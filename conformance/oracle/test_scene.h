@@ -44,7 +44,8 @@ inline void append(pipeline::VertexBatch& batch, const TestVertex& vertex) {
   for (std::size_t k = 0; k < 3; ++k) batch.normal_object[k][i] = vertex.normal[k];
 }
 
-inline std::unique_ptr<pipeline::VertexBatch> make_batch(pipeline::PrimitiveMode mode, const std::vector<TestVertex>& vertices) {
+inline std::unique_ptr<pipeline::VertexBatch> make_batch(pipeline::PrimitiveMode mode,
+                                                         const std::vector<TestVertex>& vertices) {
   auto batch = std::make_unique<pipeline::VertexBatch>();
   batch->clear();
   for (const TestVertex& vertex : vertices) append(*batch, vertex);
