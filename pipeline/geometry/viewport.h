@@ -1,10 +1,19 @@
 // Clip space to window space, and which vertices lie outside the clip volume [GL1.5 §2.11, §2.11.1, §2.12].
 #pragma once
 
+#include <array>
+#include <cstdint>
+
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/geometry/processed_vertices.h"
 
 namespace gouraud::pipeline {
+
+/// window = (clip * (1 / w)) * scale + translation, for x, y (from the top of the target) and z.
+struct ViewportTransform {
+  std::array<float, 3> scale, translation;
+};
+ViewportTransform make_viewport_transform(const ViewportState& state);
 
 /// Fills the outcodes of all `count` vertices, and window positions where the outcode is 0. Mesa's bits (MESA-RULES 2.3,
 /// 2.4): in float, (clip * (1 / w)) * scale + translation, each step rounded.

@@ -1,0 +1,123 @@
+// Takes a range of vertices, gives its primitives [GL1.5 §2.6.1].
+//
+// A range that continues an earlier one yields what the uncut primitive would have yielded there: see PrimitiveRange for
+// the vertices it repeats. Edge flags (EdgeFlag) are left out: `edges` knows the decomposition alone.
+#include "pipeline/geometry/assembly.h"
+
+#include <cstddef>
+
+namespace gouraud::pipeline {
+namespace {
+
+constexpr std::uint8_t edge_01 = 1, edge_12 = 2, edge_20 = 4, all_edges = 7;
+
+/// Appends `count` default elements and returns the first.
+template <class T>
+T* append(std::vector<T>& list, std::int32_t count) {
+  const std::size_t size = list.size();
+  list.resize(size + static_cast<std::size_t>(count > 0 ? count : 0));
+  return list.data() + size;
+}
+
+/// Vertex numbers below are relative to the range's first.
+struct Indices {
+  std::int32_t first;
+  std::uint16_t operator()(std::int32_t i) const { return static_cast<std::uint16_t>(first + i); }
+  AssembledTriangle triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t provoking, std::uint8_t edges) const {
+    const Indices& at = *this;
+    return {{at(a), at(b), at(c)}, at(provoking), edges};
+  }
+  AssembledLine line(std::int32_t a, std::int32_t b) const { return {{(*this)(a), (*this)(b)}, (*this)(b), false}; }
+};
+
+void assemble_points(Indices at, std::int32_t count, std::vector<AssembledPoint>& out) {
+  AssembledPoint* point = append(out, count);
+  for (std::int32_t i = 0; i < count; ++i) *point++ = {at(i), at(i), false};
+}
+
+/// Segments (i, i + 1) for i = first, first + step, ...
+void assemble_lines(Indices at, std::int32_t count, std::int32_t first, std::int32_t step, std::vector<AssembledLine>& out) {
+  const std::int32_t segments = count - first < 2 ? 0 : (count - first - 2) / step + 1;
+  AssembledLine* line = append(out, segments);
+  for (std::int32_t k = 0; k < segments; ++k) *line++ = at.line(first + k * step, first + k * step + 1);
+}
+
+/// No edge joins the two vertices that a continued loop repeats.
+void assemble_loop(Indices at, const PrimitiveRange& range, std::vector<AssembledLine>& out) {
+  assemble_lines(at, range.count, range.begins ? 0 : 1, 1, out);
+  if (range.ends && range.count >= 2) out.push_back(at.line(range.count - 1, 0));
+}
+
+void assemble_triangles(Indices at, std::int32_t count, std::vector<AssembledTriangle>& out) {
+  AssembledTriangle* triangle = append(out, count / 3);
+  for (std::int32_t i = 0; i + 2 < count; i += 3) *triangle++ = at.triangle(i, i + 1, i + 2, i + 2, all_edges);
+}
+
+/// Odd triangles have their first two vertices swapped, so that all turn the same way.
+void assemble_triangle_strip(Indices at, std::int32_t count, std::vector<AssembledTriangle>& out) {
+  AssembledTriangle* triangle = append(out, count - 2);
+  for (std::int32_t i = 2; i < count; ++i) {
+    const std::int32_t odd = i & 1;
+    *triangle++ = at.triangle(i - 2 + odd, i - 1 - odd, i, i, all_edges);
+  }
+}
+
+void assemble_fan(Indices at, std::int32_t count, std::vector<AssembledTriangle>& out) {
+  AssembledTriangle* triangle = append(out, count - 2);
+  for (std::int32_t i = 2; i < count; ++i) *triangle++ = at.triangle(0, i - 1, i, i, all_edges);
+}
+
+void assemble_quads(Indices at, std::int32_t count, ShadeModel shade_model, std::vector<AssembledTriangle>& out) {
+  AssembledTriangle* triangle = append(out, count / 4 * 2);
+  for (std::int32_t i = 0; i + 3 < count; i += 4) {
+    const std::int32_t last = i + 3;
+    if (shade_model == ShadeModel::smooth) {
+      *triangle++ = at.triangle(i, i + 1, i + 2, last, edge_01 | edge_12);
+      *triangle++ = at.triangle(i, i + 2, i + 3, last, edge_12 | edge_20);
+    } else {
+      *triangle++ = at.triangle(i, i + 1, i + 3, last, edge_01 | edge_20);
+      *triangle++ = at.triangle(i + 1, i + 2, i + 3, last, edge_01 | edge_12);
+    }
+  }
+}
+
+/// Quad i / 2 has the vertices i, i + 1, i + 3, i + 2 in order. Its last specified vertex, i + 3, provokes.
+void assemble_quad_strip(Indices at, std::int32_t count, std::vector<AssembledTriangle>& out) {
+  AssembledTriangle* triangle = append(out, count < 4 ? 0 : (count - 2) / 2 * 2);
+  for (std::int32_t i = 0; i + 3 < count; i += 2) {
+    *triangle++ = at.triangle(i, i + 1, i + 3, i + 3, edge_01 | edge_12);
+    *triangle++ = at.triangle(i, i + 3, i + 2, i + 3, edge_12 | edge_20);
+  }
+}
+
+/// A fan around vertex 0, which provokes. Besides the edge opposite to it, only the polygon's first and last triangle
+/// have an edge of the polygon.
+void assemble_polygon(Indices at, const PrimitiveRange& range, std::vector<AssembledTriangle>& out) {
+  if (range.count < 3) return;
+  const std::size_t size = out.size();
+  AssembledTriangle* triangle = append(out, range.count - 2);
+  for (std::int32_t i = 2; i < range.count; ++i) *triangle++ = at.triangle(i - 1, i, 0, 0, edge_01);
+  if (range.begins) out[size].edges |= edge_20;
+  if (range.ends) out.back().edges |= edge_12;
+}
+
+}  // namespace
+
+void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrimitives& out) {
+  const Indices at{range.first};
+  const std::int32_t count = range.count;
+  switch (range.mode) {
+    case PrimitiveMode::points: return assemble_points(at, count, out.points);
+    case PrimitiveMode::lines: return assemble_lines(at, count, 0, 2, out.lines);
+    case PrimitiveMode::line_strip: return assemble_lines(at, count, 0, 1, out.lines);
+    case PrimitiveMode::line_loop: return assemble_loop(at, range, out.lines);
+    case PrimitiveMode::triangles: return assemble_triangles(at, count, out.triangles);
+    case PrimitiveMode::triangle_strip: return assemble_triangle_strip(at, count, out.triangles);
+    case PrimitiveMode::triangle_fan: return assemble_fan(at, count, out.triangles);
+    case PrimitiveMode::quads: return assemble_quads(at, count, shade_model, out.triangles);
+    case PrimitiveMode::quad_strip: return assemble_quad_strip(at, count, out.triangles);
+    case PrimitiveMode::polygon: return assemble_polygon(at, range, out.triangles);
+  }
+}
+
+}  // namespace gouraud::pipeline
