@@ -8,12 +8,21 @@
 namespace gouraud::pipeline {
 namespace {
 
-/// Records that wait should fit the second-level cache of the cores that will read them.
-constexpr std::size_t arena_limit_per_thread = std::size_t{3} << 19;
-constexpr std::size_t arena_limit_most = std::size_t{12} << 20;
-constexpr std::size_t entry_limit = std::size_t{1} << 17;
+/// More waiting records give each tile more to do while it is in the cache, until they fall out of the last-level cache
+/// themselves: measured best between 8 and 16 MiB a core with 200,000 small triangles all over a 1080p target.
+constexpr std::size_t arena_limit_per_thread = std::size_t{8} << 20;
+constexpr std::size_t arena_limit_most = std::size_t{32} << 20;
+constexpr std::size_t entry_limit = std::size_t{1} << 19;
 /// Fewer bin entries than this are not worth waking a thread for.
 constexpr std::size_t entries_worth_waking = 64;
+
+/// Records of a tile lie scattered over the arena: they are fetched this many entries ahead of their use.
+constexpr std::size_t prefetch_distance = 3;
+
+void prefetch_record(const void* record) {
+  const auto* bytes = static_cast<const std::byte*>(record);
+  for (std::size_t line = 0; line < sizeof(ColoredPrimitive); line += 64) __builtin_prefetch(bytes + line);
+}
 
 /// True if the edge has the whole tile on its outer side.
 bool tile_is_outside(const EdgeFunction& edge, std::int32_t x, std::int32_t y) {
@@ -121,7 +130,9 @@ void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
   const TileTarget pixels{target_->color.empty() ? nullptr : target_->color.tile(tile),
                           target_->depth.empty() ? nullptr : target_->depth.tile(tile)};
   const std::int32_t x = tile % target_->tiles_x * tile_size, y = tile / target_->tiles_x * tile_size;
-  for (const Entry& entry : bin) {
+  for (std::size_t i = 0; i < bin.size(); ++i) {
+    const Entry& entry = bin[i];
+    prefetch_record(bin[std::min(i + prefetch_distance, bin.size() - 1)].what);
     switch (entry.kind) {
       case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
