@@ -1,0 +1,130 @@
+// A plan holds what the picture needs, and nothing else: asserted on the printed lines.
+#include "pipeline/draw/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace gouraud::pipeline {
+namespace {
+
+constexpr TargetFormat window{ColorFormat::rgba8, DepthFormat::z24s8};
+
+DrawState unlit() {
+  DrawState state;
+  state.raster.scissor = {0, 0, 64, 64};
+  return state;
+}
+
+DrawState lit() {
+  DrawState state = unlit();
+  state.lighting.enabled = true;
+  state.lighting.light_count = 1;
+  state.lighting.lights[0].diffuse = glm::vec4(1);
+  state.lighting.lights[0].position_eye = {0, 0, 1};
+  return state;
+}
+
+/// The stages' names: each printed line up to its detail or section.
+std::vector<std::string> stages(const DrawState& state, TargetFormat target = window) {
+  std::istringstream text(describe(make_plan(state, target), state, target));
+  std::vector<std::string> names;
+  std::string line;
+  std::getline(text, line);
+  while (std::getline(text, line)) names.push_back(line.substr(2, line.find_first_of(":[") - 2));
+  for (std::string& name : names) {
+    while (!name.empty() && name.back() == ' ') name.pop_back();
+  }
+  return names;
+}
+
+using Stages = std::vector<std::string>;
+
+TEST(Plan, OfUnlitUntestedTrianglesIsShort) {
+  EXPECT_EQ(stages(unlit()), (Stages{"transform to clip space", "clamp vertex colors", "clip and project", "rasterize", "write color"}));
+}
+
+TEST(Plan, OfADirectionalLightNeedsNoEyePositions) {
+  EXPECT_EQ(stages(lit()),
+            (Stages{"transform to clip space", "transform normals", "light", "clip and project", "rasterize", "write color"}));
+}
+
+TEST(Plan, OfAPositionalLightOrALocalViewerNeedsEyePositions) {
+  DrawState positional = lit();
+  positional.lighting.lights[0].positional = true;
+  EXPECT_TRUE(make_plan(positional, window).eye_positions);
+  DrawState viewer = lit();
+  viewer.lighting.local_viewer = true;
+  EXPECT_TRUE(make_plan(viewer, window).eye_positions);
+}
+
+TEST(Plan, WithoutLightsAsksForNoNormals) {
+  DrawState state = lit();
+  state.lighting.light_count = 0;
+  const Plan plan = make_plan(state, window);
+  EXPECT_FALSE(plan.normals);
+  EXPECT_EQ(plan.vertex_demand, 0u);
+}
+
+TEST(Plan, OfMaskedColorsLightsNothing) {
+  DrawState state = lit();
+  state.raster.color_write_mask = 0;
+  state.raster.depth = {true, true, CompareFunc::less};
+  EXPECT_EQ(stages(state), (Stages{"transform to clip space", "clip and project", "rasterize", "depth test"}));
+  EXPECT_EQ(make_plan(state, window).vertex_demand, 0u);
+}
+
+TEST(Plan, ThatCannotReachTheTargetDrawsNothing) {
+  DrawState masked = unlit();
+  masked.raster.color_write_mask = 0;
+  EXPECT_FALSE(make_plan(masked, window).draws);
+  DrawState never = unlit();
+  never.raster.depth = {true, true, CompareFunc::never};
+  EXPECT_FALSE(make_plan(never, window).draws);
+  DrawState scissored = unlit();
+  scissored.raster.scissor = {};
+  EXPECT_FALSE(make_plan(scissored, window).draws);
+}
+
+TEST(Plan, ADepthTestThatAlwaysPassesAndWritesNothingIsAbsent) {
+  DrawState state = unlit();
+  state.raster.depth = {true, false, CompareFunc::always};
+  EXPECT_EQ(stages(state), stages(unlit()));
+}
+
+TEST(Plan, WithoutADepthBufferTestsNoDepth) {
+  DrawState state = unlit();
+  state.raster.depth = {true, true, CompareFunc::less};
+  EXPECT_EQ(stages(state, {ColorFormat::rgba8, DepthFormat::none}), stages(unlit()));
+}
+
+TEST(Plan, ColorMaterialAsksForColors) {
+  DrawState state = lit();
+  EXPECT_EQ(make_plan(state, window).vertex_demand, attribute_normal);
+  state.lighting.color_material_front = material_diffuse;
+  EXPECT_EQ(make_plan(state, window).vertex_demand, attribute_normal | attribute_color);
+}
+
+/// What the gears demo sets up: one directional light, flat or smooth, back faces culled, depth tested.
+TEST(Plan, OfGearsHoldsNothingThatTheSceneDoesNotNeed) {
+  DrawState state = lit();
+  state.transform.normal_scaling = NormalScaling::normalize;
+  state.assembly.cull = CullMode::back;
+  state.assembly.shade_model = ShadeModel::flat;
+  state.raster.depth = {true, true, CompareFunc::less};
+  EXPECT_EQ(describe(make_plan(state, window), state, window),
+            "plan:\n"
+            "  transform to clip space  [GL1.5 §2.11.2]\n"
+            "  transform normals: normalized  [GL1.5 §2.11.3]\n"
+            "  light: 1 light  [GL1.5 §2.14.1]\n"
+            "  clip and project  [GL1.5 §2.12, §2.11.1]\n"
+            "  cull  [GL1.5 §3.5.1]\n"
+            "  rasterize: flat  [GL1.5 §3.5.1]\n"
+            "  depth test: less, write  [GL1.5 §4.1.6]\n"
+            "  write color: 8 bits  [GL1.5 §4.2.2]\n");
+}
+
+}  // namespace
+}  // namespace gouraud::pipeline
