@@ -3,7 +3,6 @@
 namespace gouraud::oracle {
 namespace {
 
-using pipeline::PolygonMode;
 using pipeline::PrimitiveMode;
 using pipeline::PrimitiveRange;
 
@@ -67,7 +66,7 @@ void assemble_polygon(const PrimitiveRange& range, Assembler& out) {
 
 }  // namespace
 
-std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::AssemblyState& state) {
+std::vector<Primitive> assemble(const PrimitiveRange& range, pipeline::ShadeModel shade_model) {
   Assembler out(range.first);
   const int n = range.count;
   switch (range.mode) {
@@ -95,11 +94,9 @@ std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::Ass
     case PrimitiveMode::triangle_fan:
       for (int i = 2; i < n; ++i) out.triangle(0, i - 1, i, i);
       break;
-    case PrimitiveMode::quads: {
-      const bool filled = state.polygon_mode_front == PolygonMode::fill && state.polygon_mode_back == PolygonMode::fill;
-      assemble_quads(range, filled && state.shade_model == pipeline::ShadeModel::smooth, out);
+    case PrimitiveMode::quads:
+      assemble_quads(range, shade_model == pipeline::ShadeModel::smooth, out);
       break;
-    }
     case PrimitiveMode::quad_strip:
       assemble_quad_strip(range, out);
       break;

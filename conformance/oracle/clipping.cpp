@@ -50,6 +50,17 @@ ClipVertex<T> mix(const ClipVertex<T>& from, const ClipVertex<T>& to, T t, doubl
   return out;
 }
 
+/// from + t (to - from) in double; a position of floats is rounded at the end.
+template <typename T>
+ClipVertex<T> mix_rounded_once(const ClipVertex<T>& from, const ClipVertex<T>& to, double t) {
+  ClipVertex<T> out = mix(from, to, static_cast<T>(t), t);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double begin = from.position[i], end = to.position[i];
+    out.position[i] = static_cast<T>(begin + t * (end - begin));
+  }
+  return out;
+}
+
 /// The distance as it is for the given coordinates, without rounding to T.
 template <typename T>
 double exact_distance(const ClipVertex<T>& vertex, int plane) {
@@ -115,26 +126,18 @@ std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVerte
   const auto& [v0, v1] = line;
   if (!has_finite_position(v0) || !has_finite_position(v1)) return {};
   // How much is cut off at each end.
-  T t0 = 0, t1 = 0;
-  double t0_exact = 0, t1_exact = 0;
+  double t0 = 0, t1 = 0;
   for (int plane = 0; plane < plane_count; ++plane) {
-    const T d0 = distance(v0.position, plane), d1 = distance(v1.position, plane);
+    const double d0 = exact_distance(v0, plane), d1 = exact_distance(v1, plane);
     if (d0 >= 0 && d1 >= 0) continue;
-    if ((d0 < 0 && d1 < 0) || !std::isfinite(d0) || !std::isfinite(d1)) return {};
-    const double exact0 = exact_distance(v0, plane), exact1 = exact_distance(v1, plane);
-    if (d0 < 0) {
-      t0 = std::max(t0, d0 / (d0 - d1));
-      t0_exact = std::max(t0_exact, exact0 / (exact0 - exact1));
-    }
-    if (d1 < 0) {
-      t1 = std::max(t1, d1 / (d1 - d0));
-      t1_exact = std::max(t1_exact, exact1 / (exact1 - exact0));
-    }
+    if (d0 < 0 && d1 < 0) return {};
+    if (d0 < 0) t0 = std::max(t0, d0 / (d0 - d1));
+    if (d1 < 0) t1 = std::max(t1, d1 / (d1 - d0));
   }
   if (t0 + t1 >= 1) return {};
   std::array<ClipVertex<T>, 2> out = line;
-  if (t0 > 0) out[0] = mix(v0, v1, t0, t0_exact);
-  if (t1 > 0) out[1] = mix(v1, v0, t1, t1_exact);
+  if (t0 > 0) out[0] = mix_rounded_once(v0, v1, t0);
+  if (t1 > 0) out[1] = mix_rounded_once(v1, v0, t1);
   return out;
 }
 

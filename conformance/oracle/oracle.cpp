@@ -162,7 +162,7 @@ void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& b
                 OraclePicture& picture) {
   Draw<T> draw(state, batch, options, picture);
   for (const pipeline::PrimitiveRange& range : batch.primitives) {
-    for (const Primitive& primitive : assemble(range, state.assembly)) draw.draw(primitive);
+    for (const Primitive& primitive : assemble(range, state.assembly.shade_model)) draw.draw(primitive);
   }
 }
 
