@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <optional>
@@ -253,7 +254,7 @@ void read_fixed_row(const Framebuffer& target, int x, int y, int count, std::uin
   std::transform(out, out + count, out, [wide](std::uint32_t z) { return wide ? z << 8 | z >> 16 : z << 16 | z; });
 }
 
-// MESA-RULES 4.3: words are the upper half of the fixed-point value; bytes are cut off the float, not rounded.
+// As Mesa: words are the float to nearest, bytes are cut off, 32-bit integers come from what is stored.
 void read_depth(const Framebuffer& target, const Transfer& transfer, GLenum type, bool swapping) {
   const auto count = static_cast<std::size_t>(transfer.width);
   std::vector<float> floats(count);
@@ -267,27 +268,22 @@ void read_depth(const Framebuffer& target, const Transfer& transfer, GLenum type
   };
   for (int i = 0; i < transfer.height; ++i) {
     const int y = transfer.y + i;
-    if (type == GL_FLOAT || type == GL_UNSIGNED_BYTE) {
-      read_depth_row_float(target, transfer.x, y, transfer.width, floats.data());
-    } else {
+    if (type == GL_UNSIGNED_INT) {
       read_fixed_row(target, transfer.x, y, transfer.width, fixed.data());
+      put(i, fixed);
+      continue;
     }
-    switch (type) {
-      case GL_FLOAT:
-        put(i, floats);
-        break;
-      case GL_UNSIGNED_INT:
-        put(i, fixed);
-        break;
-      case GL_UNSIGNED_SHORT:
-        std::transform(fixed.begin(), fixed.end(), words.begin(),
-                       [](std::uint32_t z) { return static_cast<std::uint16_t>(z >> 16); });
-        put(i, words);
-        break;
-      default:
-        std::transform(floats.begin(), floats.end(), bytes.begin(),
-                       [](float depth) { return static_cast<std::uint8_t>(depth * 255.0f); });
-        put(i, bytes);
+    read_depth_row_float(target, transfer.x, y, transfer.width, floats.data());
+    if (type == GL_UNSIGNED_SHORT) {
+      std::transform(floats.begin(), floats.end(), words.begin(),
+                     [](float depth) { return static_cast<std::uint16_t>(std::lrint(depth * 65535.0f)); });
+      put(i, words);
+    } else if (type == GL_UNSIGNED_BYTE) {
+      std::transform(floats.begin(), floats.end(), bytes.begin(),
+                     [](float depth) { return static_cast<std::uint8_t>(depth * 255.0f); });
+      put(i, bytes);
+    } else {
+      put(i, floats);
     }
   }
 }
