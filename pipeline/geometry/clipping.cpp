@@ -2,12 +2,13 @@
 //
 // Triangles: Sutherland-Hodgman against those frustum planes that a vertex violates, in homogeneous clip space, so that
 // w <= 0 needs no special care. Colours and other attributes are interpolated along with the positions [GL1.5 §2.14.8].
-// Lines: see line_clipping.cpp. Points need no clipper: they are drawn if their outcode is 0.
+// Lines: the intersections come from exact sums, for nothing says how far outside a line may begin.
 #include "pipeline/geometry/clipping.h"
 
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "pipeline/geometry/viewport.h"
 
@@ -17,14 +18,15 @@ namespace {
 /// The planes in clipping order, as bits of the outcode; distances are positive inside.
 constexpr std::uint32_t plane_count = 6;
 
+/// The upper planes bound a coordinate by w, the lower ones by -w.
+bool is_upper(std::uint32_t plane) { return (1u << plane & (outside_right | outside_top | outside_far)) != 0; }
+
 float distance(const ProcessedVertices& vertices, std::uint16_t index, std::uint32_t plane) {
   const float coordinate = vertices.position_clip[plane / 2][index], w = vertices.position_clip[3][index];
-  const bool upper = (1u << plane & (outside_right | outside_top | outside_far)) != 0;
-  return upper ? -coordinate + w : coordinate + w;
+  return is_upper(plane) ? -coordinate + w : coordinate + w;
 }
 
-/// A convex polygon: vertex numbers, and whether the edge from each vertex to the next is a boundary edge. Every plane
-/// adds at most one corner; rounding, which may make the polygon not quite convex, is kept from adding more.
+/// Vertex numbers, and whether the edge from each vertex to the next is a boundary edge.
 struct Polygon {
   static constexpr std::size_t capacity = 3 + max_clip_vertices;
   std::size_t size = 0;
@@ -36,21 +38,19 @@ struct Polygon {
   }
 };
 
-Rgba mix(const Rgba& from, const Rgba& to, float t) {
-  return {from.r + t * (to.r - from.r), from.g + t * (to.g - from.g), from.b + t * (to.b - from.b), from.a + t * (to.a - from.a)};
-}
-
-template <int components>
-void mix(ProcessedArray<components>& array, std::size_t from, std::size_t to, float t, std::size_t out) {
-  for (auto& component : array) component[out] = component[from] + t * (component[to] - component[from]);
-}
-
-/// Appends the vertex from + t (to - from).
-std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t from, std::uint16_t to, float t) {
+/// Appends a vertex whose every component is mix(component of a, component of b).
+template <class Mix>
+std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t a, std::uint16_t b, const Mix& mix) {
   const auto index = static_cast<std::uint16_t>(vertices.count++);
-  mix<4>(vertices.position_clip, from, to, t, index);
-  if (attributes.eye) mix<4>(vertices.position_eye, from, to, t, index);
-  const auto mix_colors = [&](auto& colors) { colors[index] = mix(colors[from], colors[to], t); };
+  const auto mix_arrays = [&](auto& arrays) {
+    for (auto& array : arrays) array[index] = mix(array[a], array[b]);
+  };
+  const auto mix_colors = [&](auto& colors) {
+    const Rgba &from = colors[a], &to = colors[b];
+    colors[index] = {mix(from.r, to.r), mix(from.g, to.g), mix(from.b, to.b), mix(from.a, to.a)};
+  };
+  mix_arrays(vertices.position_clip);
+  if (attributes.eye) mix_arrays(vertices.position_eye);
   if (attributes.color_front) mix_colors(vertices.color_front);
   if (attributes.color_back) mix_colors(vertices.color_back);
   if (attributes.specular) mix_colors(vertices.specular_front);
@@ -58,5 +58,179 @@ std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attr
   return index;
 }
 
+/// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer of the two.
+std::uint16_t intersect(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t inside, std::uint16_t outside,
+                        std::uint32_t plane) {
+  const float d_inside = distance(vertices, inside, plane), d_outside = distance(vertices, outside, plane);
+  const bool from_outside = -d_outside < d_inside;
+  const float t = from_outside ? d_outside / (d_outside - d_inside) : d_inside / (d_inside - d_outside);
+  return add_vertex(vertices, attributes, from_outside ? outside : inside, from_outside ? inside : outside,
+                    [t](float from, float to) { return from + t * (to - from); });
+}
+
+/// The part of the polygon on the plane's inner side. False if a distance is infinite, or if rounding has bent the polygon
+/// so much that the new vertices do not fit.
+bool clip_to_plane(const Polygon& in, std::uint32_t plane, const ClipAttributes& attributes, std::int32_t room_end,
+                   ProcessedVertices& vertices, Polygon& out) {
+  out.size = 0;
+  float d = distance(vertices, in.vertex[0], plane);
+  for (std::size_t i = 0; i < in.size; ++i) {
+    const std::uint16_t here = in.vertex[i], next = in.vertex[i + 1 < in.size ? i + 1 : 0];
+    const float d_next = distance(vertices, next, plane);
+    if (!std::isfinite(d) || vertices.count >= room_end) return false;
+    if (d >= 0) out.add(here, in.boundary[i]);
+    // Leaving, the new edge runs along the plane; coming back, along the old edge.
+    if (d >= 0 && d_next < 0) out.add(intersect(vertices, attributes, here, next, plane), true);
+    if (d < 0 && d_next >= 0) out.add(intersect(vertices, attributes, next, here, plane), in.boundary[i]);
+    d = d_next;
+  }
+  return out.size >= 3;
+}
+
+/// Clips against the planes in `outcodes`; the result is in `polygon`. False if nothing is left.
+bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, ProcessedVertices& vertices, Polygon& polygon) {
+  if ((outcodes & outside_invalid) != 0) return false;
+  const std::int32_t room_end = vertices.count + max_clip_vertices;
+  Polygon clipped;
+  for (std::uint32_t plane = 0; plane < plane_count; ++plane) {
+    if ((outcodes >> plane & 1) == 0) continue;
+    if (!clip_to_plane(polygon, plane, attributes, room_end, vertices, clipped)) return false;
+    polygon = clipped;
+  }
+  return true;
+}
+
+/// The sum of the terms, rounded as if it were computed exactly (to within a unit in the last place), so that its sign is
+/// right: partial sums that do not overlap (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997).
+template <std::size_t terms>
+double exact_sum(const std::array<double, terms>& values) {
+  std::array<double, terms> partial;
+  std::size_t count = 0;
+  for (double x : values) {
+    std::size_t kept = 0;
+    for (std::size_t j = 0; j < count; ++j) {
+      double y = partial[j];
+      if (std::abs(x) < std::abs(y)) std::swap(x, y);
+      const double high = x + y, low = y - (high - x);
+      if (low != 0) partial[kept++] = low;
+      x = high;
+    }
+    partial[kept] = x;
+    count = kept + 1;
+  }
+  double sum = 0;
+  while (count > 0) sum += partial[--count];
+  return sum;
+}
+
+/// A line as the clipper of lines sees it. A product of two floats is exact in double, so that everything below is.
+class Line {
+ public:
+  Line(const ProcessedVertices& vertices, const AssembledLine& line) : vertices_(vertices), line_(line) {}
+
+  /// d_a(v0) d_b(v1) - d_b(v0) d_a(v1), with d the distances of the end points from the planes a and b.
+  double cross(std::uint32_t a, std::uint32_t b) const {
+    const Pair a0 = distance(0, a), a1 = distance(1, a), b0 = distance(0, b), b1 = distance(1, b);
+    return exact_sum<8>({a0[0] * b1[0], a0[0] * b1[1], a0[1] * b1[0], a0[1] * b1[1],
+                         -b0[0] * a1[0], -b0[0] * a1[1], -b0[1] * a1[0], -b0[1] * a1[1]});
+  }
+
+  /// A quantity that is value0 at v0 and value1 at v1, where the line meets the plane.
+  float at_plane(std::uint32_t plane, float value0, float value1) const {
+    const Pair d0 = distance(0, plane), d1 = distance(1, plane);
+    const double v0 = value0, v1 = value1;
+    const double weighted = exact_sum<4>({d0[0] * v1, d0[1] * v1, -d1[0] * v0, -d1[1] * v0});
+    return static_cast<float>(weighted / exact_sum<4>({d0[0], d0[1], -d1[0], -d1[1]}));
+  }
+
+  /// The plane where the line comes in, seen from the end point: the last of those that the end point is outside of.
+  /// plane_count if it is inside.
+  std::uint32_t entry(std::size_t end) const {
+    std::uint32_t last = plane_count;
+    for (std::uint32_t plane = 0; plane < plane_count; ++plane) {
+      if ((vertices_.outcode[line_.vertex[end]] >> plane & 1) == 0) continue;
+      const bool later = last == plane_count || (end == 0 ? cross(last, plane) > 0 : cross(last, plane) < 0);
+      if (later) last = plane;
+    }
+    return last;
+  }
+
+  std::uint16_t add_vertex_at(std::uint32_t plane, const ClipAttributes& attributes, ProcessedVertices& out) const;
+
+ private:
+  using Pair = std::array<double, 2>;  ///< an exact sum of two
+
+  Pair distance(std::size_t end, std::uint32_t plane) const {
+    const std::uint16_t index = line_.vertex[end];
+    const double coordinate = vertices_.position_clip[plane / 2][index], w = vertices_.position_clip[3][index];
+    return {is_upper(plane) ? -coordinate : coordinate, w};
+  }
+
+  const ProcessedVertices& vertices_;
+  const AssembledLine& line_;
+};
+
+std::uint16_t Line::add_vertex_at(std::uint32_t plane, const ClipAttributes& attributes, ProcessedVertices& out) const {
+  return add_vertex(out, attributes, line_.vertex[0], line_.vertex[1],
+                    [&](float value0, float value1) { return at_plane(plane, value0, value1); });
+}
+
+/// The clipped polygon as a fan; the edges inside it are no boundary.
+void emit_fan(const Polygon& polygon, std::uint16_t provoking, std::vector<AssembledTriangle>& out) {
+  for (std::size_t i = 2; i < polygon.size; ++i) {
+    const bool first = i == 2, last = i == polygon.size - 1;
+    const unsigned edges = (polygon.boundary[i - 1] ? 1u : 0u) | (last && polygon.boundary[i] ? 2u : 0u) |
+                           (first && polygon.boundary[0] ? 4u : 0u);
+    out.push_back({{polygon.vertex[i - 1], polygon.vertex[i], polygon.vertex[0]}, provoking, static_cast<std::uint8_t>(edges)});
+  }
+}
+
 }  // namespace
+
+void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewport, const ClipAttributes& attributes,
+                   ProcessedVertices& vertices, std::vector<AssembledTriangle>& out) {
+  const std::int32_t count = vertices.count;
+  Polygon polygon;
+  std::uint32_t outcodes = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    polygon.add(triangle.vertex[i], (triangle.edges >> i & 1) != 0);
+    outcodes |= vertices.outcode[triangle.vertex[i]];
+  }
+  bool drawable = clip_polygon(outcodes, attributes, vertices, polygon);
+  for (std::size_t i = 0; drawable && i < polygon.size; ++i) {
+    const std::uint16_t index = polygon.vertex[i];
+    if (index >= count) drawable = project_vertex(viewport, vertices, index);
+  }
+  if (drawable) {
+    emit_fan(polygon, triangle.provoking, out);
+  } else {
+    vertices.count = count;
+  }
+}
+
+bool clip_line(AssembledLine& line, const ViewportState& viewport, const ClipAttributes& attributes,
+               ProcessedVertices& vertices) {
+  const std::uint32_t outcode0 = vertices.outcode[line.vertex[0]], outcode1 = vertices.outcode[line.vertex[1]];
+  if ((outcode0 & outcode1) != 0 || ((outcode0 | outcode1) & outside_invalid) != 0) return false;
+  const Line uncut(vertices, line);
+  const std::uint32_t entry = uncut.entry(0), exit = uncut.entry(1);
+  const bool leaves_before_it_comes_in = entry != plane_count && exit != plane_count && uncut.cross(entry, exit) >= 0;
+  if (leaves_before_it_comes_in) return false;
+
+  const std::int32_t count = vertices.count;
+  AssembledLine cut = line;
+  bool drawable = true;
+  for (const auto& [end, plane] : {std::pair{std::size_t{0}, entry}, std::pair{std::size_t{1}, exit}}) {
+    if (plane == plane_count) continue;
+    cut.vertex[end] = uncut.add_vertex_at(plane, attributes, vertices);
+    drawable = drawable && project_vertex(viewport, vertices, cut.vertex[end]);
+  }
+  if (drawable) {
+    line = cut;
+  } else {
+    vertices.count = count;
+  }
+  return drawable;
+}
+
 }  // namespace gouraud::pipeline

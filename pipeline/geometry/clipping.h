@@ -26,8 +26,9 @@ inline constexpr int max_clip_vertices = 2 * (6 + max_clip_planes);
 void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewport, const ClipAttributes& attributes,
                    ProcessedVertices& vertices, std::vector<AssembledTriangle>& out);
 
-/// Cuts a line some of whose vertices have outcodes; new vertices as for triangles. False if nothing is left. In double:
-/// a line that passes through the clip volume is not lost, however far away its ends are.
+/// Cuts a line some of whose vertices have outcodes; new vertices as for triangles. False if nothing is left.
+/// deviation: intersections come from exact sums, rounded once, so that a line that passes through the clip volume is
+/// drawn where it should, however far away its ends are; Mesa's floats lose it (MESA-RULES 2.4).
 bool clip_line(AssembledLine& line, const ViewportState& viewport, const ClipAttributes& attributes,
                ProcessedVertices& vertices);
 
