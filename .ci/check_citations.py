@@ -20,7 +20,7 @@ ITEM = re.compile(rf"§(?P<sections>{SECTION}(?:{UNTIL}{SECTION})?)"
                   rf"(?: eqs? (?P<equations>\d+\.\d+(?:(?:{UNTIL}| and |, )\d+\.\d+)*))?"
                   rf"|Tables? (?P<tables>{TABLE}(?:(?:{UNTIL}| and |, ){TABLE})*)"
                   rf"|(?:App\.|ch\.) (?P<chapter>{SECTION})")
-SEPARATOR = re.compile(r", | and | (?=Table )")
+SEPARATOR = re.compile(r"[,;] | and | (?=Table )")
 ENDINGS = sources.CPP + (".py", ".txt", ".md", ".sh")
 
 
