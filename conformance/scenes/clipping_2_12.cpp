@@ -85,7 +85,7 @@ void inside_a_tunnel(const GlTable& gl) {
   clear_background(gl);
   gl.Enable(GL_DEPTH_TEST);
   black_lighting(gl, 1);
-  light(gl, GL_LIGHT0, GL_POSITION, {0.13f, 0.21f, -1.7f, 1});
+  light(gl, GL_LIGHT0, GL_POSITION, {0.43f, 0.51f, -1.6f, 1});
   light(gl, GL_LIGHT0, GL_DIFFUSE, {1, 1, 1, 1});
   light(gl, GL_LIGHT0, GL_SPECULAR, {0.6f, 0.6f, 0.6f, 1});
   gl.Lightf(GL_LIGHT0, GL_QUADRATIC_ATTENUATION, 0.03f);
@@ -94,8 +94,10 @@ void inside_a_tunnel(const GlTable& gl) {
   gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, 12);
   const float two_sided = 1;
   gl.LightModelfv(GL_LIGHT_MODEL_TWO_SIDE, &two_sided);
-  look(gl, {.distance = 1.3f, .pitch_deg = 24, .yaw_deg = 31, .fov_y_deg = 75, .near = 0.4f});
-  draw_surface(gl, torus(2.1f, 1.37f, 40, 24));
+  load_projection(gl, perspective(85, 1, 0.7f, 20));
+  const Matrix turned = multiply(rotation(7, 0), rotation(71, 1));
+  load_model_view(gl, multiply(turned, translation(0.1f, -0.2f, -5.3f)));
+  draw_surface(gl, torus(5, 1.6f, 80, 24));
 }
 
 // The visible part of each lies where w > 0 (and |x|, |y|, |z| <= w).
@@ -104,7 +106,7 @@ void w_zero_and_negative(const GlTable& gl) {
   gl.Enable(GL_DEPTH_TEST);
   draw_triangle(gl, {{{-0.91f, -0.83f, 0.1f, 1, red}, {-0.12f, -0.87f, 0.1f, 1, green}, {-0.21f, 0.9f, 0.05f, 0, blue}}});
   draw_triangle(gl, {{{0.11f, -0.93f, 0.2f, 1, yellow}, {0.92f, -0.71f, 0.2f, 1, cyan}, {0.37f, -0.63f, 0.1f, -1, white}}});
-  draw_triangle(gl, {{{-0.63f, 0.71f, 0.3f, 1, white}, {0.77f, 0.1f, -0.2f, -2, red}, {0.41f, -0.3f, 0.1f, -1, blue}}});
+  draw_triangle(gl, {{{0.57f, 0.27f, 0.3f, 1, white}, {-1.8f, -0.2f, -0.2f, -2, red}, {-0.7f, 0.2f, 0.1f, -1, blue}}});
   // Behind the eye altogether, and all at infinity: nothing.
   draw_triangle(gl, {{{-0.2f, -0.2f, 0, -1, white}, {0.3f, -0.1f, 0, -1, white}, {0.1f, 0.4f, 0, -3, white}}});
   draw_triangle(gl, {{{-0.2f, -0.2f, 0, 0, white}, {0.3f, -0.1f, 0, 0, white}, {0.1f, 0.4f, 0, 0, white}}});
