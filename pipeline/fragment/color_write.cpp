@@ -118,30 +118,30 @@ HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color
   const BlockPlane red = planes.plane(0), green = planes.plane(1), blue = planes.plane(2), alpha = planes.plane(3);
   const BlockPlane inverse_w = planes.plane(ColorRecord::inverse_w);
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
-    const FloatVector red_pattern = pair_pattern(red, offset), green_pattern = pair_pattern(green, offset);
-    const FloatVector blue_pattern = pair_pattern(blue, offset), alpha_pattern = pair_pattern(alpha, offset);
-    FloatVector w_pattern = hn::Zero(d);
-    if constexpr (perspective) w_pattern = pair_pattern(inverse_w, offset);
-    for (std::size_t pair = 0; pair < row_pairs; ++pair) {
-      const std::size_t first_lane = pair * pair_lanes + offset;
+    FloatVector r = first_pair(red, offset), g = first_pair(green, offset);
+    FloatVector b = first_pair(blue, offset), a = first_pair(alpha, offset);
+    FloatVector q = perspective ? first_pair(inverse_w, offset) : hn::Zero(d);
+    for (std::size_t first_lane = offset; first_lane < 64; first_lane += pair_lanes) {
       const std::uint64_t covered = lane_bits(whole_block ? ~std::uint64_t{0} : block.coverage, first_lane);
-      if (!whole_block && covered == 0) continue;
-      FloatVector w = hn::Zero(d);
-      if constexpr (perspective) {
-        FloatVector q = at_pair(inverse_w, w_pattern, pair);
-        if constexpr (clamp) q = clamp_lanes(q, hn::Set(d, color.inverse_w_minimum), hn::Set(d, color.inverse_w_maximum));
-        w = hn::Div(hn::Set(d, 1.0f), q);
+      if (whole_block || covered != 0) {
+        FloatVector w = q;
+        if constexpr (perspective && clamp) {
+          w = clamp_lanes(q, hn::Set(d, color.inverse_w_minimum), hn::Set(d, color.inverse_w_maximum));
+        }
+        if constexpr (perspective) w = hn::Div(hn::Set(d, 1.0f), w);
+        const auto channel = [&](FloatVector value, std::size_t k) HWY_ATTR {
+          if constexpr (perspective) value = hn::Add(hn::Mul(value, w), hn::Set(d, color.base[k]));
+          if constexpr (clamp) value = clamp_lanes(value, hn::Set(d, color.minimum[k]), hn::Set(d, color.maximum[k]));
+          return value;
+        };
+        Sink::write(channel(r, 0), channel(g, 1), channel(b, 2), channel(a, 3), covered,
+                    static_cast<std::size_t>(block.first_pixel) + first_lane, target, write_mask);
       }
-      const auto channel = [&](const BlockPlane& plane, FloatVector pattern, std::size_t k) HWY_ATTR {
-        FloatVector value = at_pair(plane, pattern, pair);
-        if constexpr (perspective) value = hn::Mul(value, w);
-        value = hn::Add(value, hn::Set(d, color.base[k]));
-        if constexpr (clamp) value = clamp_lanes(value, hn::Set(d, color.minimum[k]), hn::Set(d, color.maximum[k]));
-        return value;
-      };
-      Sink::write(channel(red, red_pattern, 0), channel(green, green_pattern, 1), channel(blue, blue_pattern, 2),
-                  channel(alpha, alpha_pattern, 3), covered, static_cast<std::size_t>(block.first_pixel) + first_lane,
-                  target, write_mask);
+      r = hn::Add(r, pair_step(red));
+      g = hn::Add(g, pair_step(green));
+      b = hn::Add(b, pair_step(blue));
+      a = hn::Add(a, pair_step(alpha));
+      if constexpr (perspective) q = hn::Add(q, pair_step(inverse_w));
     }
   }
 }

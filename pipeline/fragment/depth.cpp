@@ -25,66 +25,53 @@ HWY_INLINE double plane_at(const DepthPlane& plane, std::int32_t x, std::int32_t
   return (plane.origin + plane.dx * x) + plane.dy * y;
 }
 
-/// Depths of a block in buffer units.
-class FixedPointDepth {
+/// Depths of a block in buffer units, row pair by row pair: an integer plus a float offset from it.
+class SteppedDepth {
  public:
-  using Tag = IntTag;
-  FixedPointDepth(const DepthPlane& plane, const FragmentBlock& block) : steep_(plane.steep) {
-    if (steep_) {
-      for (std::int32_t lane = 0; lane < 64; ++lane) {
-        const double z = plane_at(plane, block.x + lane % 8, block.y + lane / 8);
-        exact_[lane] = static_cast<std::int32_t>(
-            std::nearbyint(std::clamp<double>(z, plane.minimum, plane.maximum)));
-      }
-      return;
-    }
-    const double base = plane_at(plane, block.x, block.y);
-    const double whole = std::nearbyint(base);
+  HWY_INLINE SteppedDepth(const DepthPlane& plane, const FragmentBlock& block) {
+    const double base = plane_at(plane, block.x, block.y), whole = std::nearbyint(base);
     // Inside the block no covered lane is more than 14 * 65536 units from `whole`: within reach of the magic.
     whole_ = static_cast<std::int32_t>(whole) - rounding_bits;
     plane_ = {static_cast<float>(base - whole), static_cast<float>(plane.dx), static_cast<float>(plane.dy)};
     minimum_ = static_cast<float>(plane.minimum - whole);
     maximum_ = static_cast<float>(plane.maximum - whole);
   }
-  HWY_INLINE FloatVector pattern(std::size_t offset) const { return pair_pattern(plane_, offset); }
-  HWY_INLINE IntVector at(FloatVector pattern, std::size_t pair, std::size_t offset) const {
+  HWY_INLINE FloatVector first(std::size_t offset) const { return first_pair(plane_, offset); }
+  HWY_INLINE FloatVector next(FloatVector part) const { return hn::Add(part, pair_step(plane_)); }
+  HWY_INLINE IntVector at(FloatVector part, std::size_t) const {
     const FloatTag d;
-    const IntTag di;
-    if (steep_) return hn::Load(di, exact_ + pair * pair_lanes + offset);
-    const FloatVector part = clamp_lanes(at_pair(plane_, pattern, pair), hn::Set(d, minimum_), hn::Set(d, maximum_));
-    return hn::Add(bits_after_adding(rounding_magic, part), hn::Set(di, whole_));
+    const FloatVector clamped = clamp_lanes(part, hn::Set(d, minimum_), hn::Set(d, maximum_));
+    return hn::Add(bits_after_adding(rounding_magic, clamped), hn::Set(IntTag(), whole_));
   }
 
  private:
-  bool steep_;
-  std::int32_t whole_ = 0;  ///< less rounding_bits
-  BlockPlane plane_{};
-  float minimum_ = 0, maximum_ = 0;
-  alignas(64) std::int32_t exact_[64];
+  std::int32_t whole_;  ///< less rounding_bits
+  BlockPlane plane_;
+  float minimum_, maximum_;
 };
 
-/// Depths of a block in [0, 1].
-class FloatDepth {
+/// Depths of a block, each lane from the plane in double: for steep planes and float buffers.
+template <class Value, class Tag>
+class ExactDepth {
  public:
-  using Tag = FloatTag;
-  FloatDepth(const DepthPlane& plane, const FragmentBlock& block) {
+  HWY_INLINE ExactDepth(const DepthPlane& plane, const FragmentBlock& block) {
     for (std::int32_t lane = 0; lane < 64; ++lane) {
-      const double z = plane_at(plane, block.x + lane % 8, block.y + lane / 8);
-      exact_[lane] = static_cast<float>(std::clamp<double>(z, plane.minimum, plane.maximum));
+      const double z = std::clamp<double>(plane_at(plane, block.x + lane % 8, block.y + lane / 8), plane.minimum, plane.maximum);
+      value_[lane] = static_cast<Value>(std::is_integral_v<Value> ? std::nearbyint(z) : z);
     }
   }
-  HWY_INLINE FloatVector pattern(std::size_t) const { return hn::Zero(FloatTag()); }
-  HWY_INLINE FloatVector at(FloatVector, std::size_t pair, std::size_t offset) const {
-    return hn::Load(FloatTag(), exact_ + pair * pair_lanes + offset);
-  }
+  HWY_INLINE FloatVector first(std::size_t) const { return hn::Zero(FloatTag()); }
+  HWY_INLINE FloatVector next(FloatVector part) const { return part; }
+  HWY_INLINE hn::Vec<Tag> at(FloatVector, std::size_t first_lane) const { return hn::Load(Tag(), value_ + first_lane); }
 
  private:
-  alignas(64) float exact_[64];
+  alignas(64) Value value_[64];
 };
 
 /// How depth lies in memory: load and store of one vector of stored values, beside whatever shares their words.
 struct Z24S8 {
-  using Depth = FixedPointDepth;
+  using Tag = IntTag;
+  using Exact = ExactDepth<std::int32_t, IntTag>;
   static constexpr std::int32_t depth_bits = 0xFFFFFF;
   using Word = std::int32_t;
   static HWY_INLINE IntVector load(const Word* p) { return hn::Load(IntTag(), p); }
@@ -95,7 +82,8 @@ struct Z24S8 {
   static HWY_INLINE void store(IntVector v, Word* p) { hn::Store(v, IntTag(), p); }
 };
 struct Z16 {
-  using Depth = FixedPointDepth;
+  using Tag = IntTag;
+  using Exact = ExactDepth<std::int32_t, IntTag>;
   using Word = std::uint16_t;
   using Tag16 = hn::Rebind<std::uint16_t, IntTag>;
   static HWY_INLINE IntVector load(const Word* p) { return hn::PromoteTo(IntTag(), hn::Load(Tag16(), p)); }
@@ -104,7 +92,8 @@ struct Z16 {
   static HWY_INLINE void store(IntVector v, Word* p) { hn::Store(hn::DemoteTo(Tag16(), v), Tag16(), p); }
 };
 struct Z32F {
-  using Depth = FloatDepth;
+  using Tag = FloatTag;
+  using Exact = ExactDepth<float, FloatTag>;
   using Word = float;
   static HWY_INLINE FloatVector load(const Word* p) { return hn::Load(FloatTag(), p); }
   static HWY_INLINE FloatVector depth(FloatVector stored) { return stored; }
@@ -121,20 +110,19 @@ struct Equal { template <class V> static HWY_INLINE auto test(V z, V stored) { r
 struct Notequal { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Ne(z, stored); } };
 struct Always { template <class V> static HWY_INLINE auto test(V z, V) { return hn::Eq(z, z); } };
 
-template <class Format, class Func, bool whole_block>
-HWY_INLINE std::uint64_t test_block(const FragmentBlock& block, const TileTarget& target) {
-  const typename Format::Depth::Tag d;
-  const typename Format::Depth depth(block.primitive->depth, block);
+template <class Format, class Func, class Depth, bool whole_block>
+HWY_INLINE std::uint64_t test_lanes(const FragmentBlock& block, const TileTarget& target) {
+  const typename Format::Tag d;
+  const Depth depth(block.primitive->depth, block);
   const bool write = block.primitive->binding->state.depth.write_enabled;
   auto* words = reinterpret_cast<typename Format::Word*>(target.depth) + block.first_pixel;
   std::uint64_t passed_all = 0;
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
-    const FloatVector pattern = depth.pattern(offset);
-    for (std::size_t pair = 0; pair < row_pairs; ++pair) {
-      const std::size_t first_lane = pair * pair_lanes + offset;
+    FloatVector part = depth.first(offset);
+    for (std::size_t first_lane = offset; first_lane < 64; first_lane += pair_lanes, part = depth.next(part)) {
       const std::uint64_t covered = lane_bits(block.coverage, first_lane);
       if (!whole_block && covered == 0) continue;
-      const auto z = depth.at(pattern, pair, offset);
+      const auto z = depth.at(part, first_lane);
       const auto stored = Format::load(words + first_lane);
       auto passed = Func::test(z, Format::depth(stored));
       if constexpr (!whole_block) passed = hn::And(passed, mask_of(d, covered));
@@ -145,10 +133,21 @@ HWY_INLINE std::uint64_t test_block(const FragmentBlock& block, const TileTarget
   return passed_all;
 }
 
+template <class Format, class Func, class Depth>
+HWY_INLINE std::uint64_t test_block(const FragmentBlock& block, const TileTarget& target) {
+  return block.coverage == ~std::uint64_t{0} ? test_lanes<Format, Func, Depth, true>(block, target)
+                                             : test_lanes<Format, Func, Depth, false>(block, target);
+}
+
 template <class Format, class Func>
 void depth_test(FragmentBlock& block, const TileTarget& target) {
-  block.coverage = block.coverage == ~std::uint64_t{0} ? test_block<Format, Func, true>(block, target)
-                                                       : test_block<Format, Func, false>(block, target);
+  if constexpr (!std::is_same_v<Format, Z32F>) {
+    if (!block.primitive->depth.steep) {
+      block.coverage = test_block<Format, Func, SteppedDepth>(block, target);
+      return;
+    }
+  }
+  block.coverage = test_lanes<Format, Func, typename Format::Exact, false>(block, target);
 }
 
 template <class Format>

@@ -1,8 +1,8 @@
 // Evaluating planes over a block, for kernels: included inside a kernel file, once per instruction set.
 //
-// The same arithmetic in the same order on every target: lane (column, row) of a block has the value
-//   (base + (dy * 2 * (row / 2))) + (dx * column + dy * (row % 2)),
-// where base is the plane at lane 0, computed in double and rounded to float.
+// The same arithmetic in the same order on every target: a lane in the first two rows of a block has the value
+//   base + (dx * column + dy * row),
+// where base is the plane at lane 0, computed in double and rounded to float; every further pair of rows adds 2 * dy.
 #include <hwy/highway.h>
 
 #if defined(GOURAUD_PIPELINE_RASTER_INTERPOLATION_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -36,18 +36,15 @@ struct BlockPlane {
   float base, dx, dy;
 };
 
-/// The part of a plane that is the same in each row pair.
-HWY_INLINE FloatVector pair_pattern(const BlockPlane& plane, std::size_t offset) {
+/// The plane's value in lanes [offset, offset + Lanes) of the first row pair.
+HWY_INLINE FloatVector first_pair(const BlockPlane& plane, std::size_t offset) {
   const FloatTag d;
-  return hn::Add(hn::Mul(hn::Set(d, plane.dx), hn::Load(d, pair_column + offset)),
-                 hn::Mul(hn::Set(d, plane.dy), hn::Load(d, pair_row + offset)));
+  return hn::Add(hn::Set(d, plane.base), hn::Add(hn::Mul(hn::Set(d, plane.dx), hn::Load(d, pair_column + offset)),
+                                                 hn::Mul(hn::Set(d, plane.dy), hn::Load(d, pair_row + offset))));
 }
 
-/// The plane's value in lanes [pair * 16 + offset, ...).
-HWY_INLINE FloatVector at_pair(const BlockPlane& plane, FloatVector pattern, std::size_t pair) {
-  const FloatTag d;
-  return hn::Add(hn::Set(d, plane.base + plane.dy * static_cast<float>(2 * pair)), pattern);
-}
+/// What a value grows by from one row pair to the next.
+HWY_INLINE FloatVector pair_step(const BlockPlane& plane) { return hn::Set(FloatTag(), 2.0f * plane.dy); }
 
 /// The bits of `coverage` for the vector at lane `first_lane`.
 HWY_INLINE std::uint64_t lane_bits(std::uint64_t coverage, std::size_t first_lane) {

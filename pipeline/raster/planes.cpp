@@ -59,13 +59,14 @@ void make_color_planes(const GradientBasis& basis, const std::array<ShadedVertex
     q2 = q2f * largest;
   }
 
-  // Planes of the colours' distance from vertex 0.
+  // Planes of the colours, or under perspective of their weighted distance from vertex 0.
   const double scale = targets.color_scale;
   double worst_overshoot = 0;
   bool over_one = false;
   for (std::size_t k = 0; k < 4; ++k) {
     const double rise1 = (static_cast<double>(c1[k]) - c0[k]) * q1, rise2 = (static_cast<double>(c2[k]) - c0[k]) * q2;
-    const Plane plane = make_plane(basis, 0.0, rise1 * scale, rise2 * scale);
+    const double start = perspective ? 0.0 : c0[k] * scale;
+    const Plane plane = make_plane(basis, start, rise1 * scale, rise2 * scale);
     out.origin[k] = plane.origin;
     out.dx[k] = plane.dx;
     out.dy[k] = plane.dy;

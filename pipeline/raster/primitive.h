@@ -56,8 +56,9 @@ struct alignas(64) PrimitiveRecord {
 };
 
 /// Follows the PrimitiveRecord in memory if the plan interpolates colours; setup fills what the variation needs. Colour is
-///   base + plane (affine) or base + plane / inverse_w_plane (perspective): a channel that does not vary has a zero
-/// plane and stays exactly its base. Scaled by the plan's color_scale.
+///   plane (affine), base + plane / inverse_w_plane (perspective), or base (constant),
+/// scaled by the plan's color_scale. A channel that does not vary has no slope and stays exactly what it is: under
+/// perspective its plane is zero.
 struct ColorRecord {
   static constexpr int inverse_w = 4;  ///< planes: r, g, b, a, then 1/w relative to its largest vertex value
   alignas(64) std::array<double, 8> origin, dx, dy;

@@ -141,7 +141,7 @@ HWY_INLINE void set_up_depth(const SetupState& state, const Basis& basis, const 
   out.steep = bits_of(hn::Gt(slope(plane), set(steep_slope(state.targets))));
 }
 
-/// Planes of the colours' distance from vertex 0, weighted by 1/w; see make_color_planes in planes.cpp.
+/// Planes of the colours, or under perspective of their distance from vertex 0 weighted by 1/w; see planes.cpp.
 HWY_INLINE void set_up_colors(const SetupState& state, const Basis& basis, const V (&inverse_w)[3], const float* colors,
                               Results& out) {
   const D d;
@@ -156,7 +156,8 @@ HWY_INLINE void set_up_colors(const SetupState& state, const Basis& basis, const
   const Quad c[3] = {load_quad(colors), load_quad(colors + 4 * max_lanes), load_quad(colors + 8 * max_lanes)};
   const auto channel = [&](std::size_t k, V c0, V c1, V c2) HWY_ATTR {
     const V rise1 = hn::Mul(hn::Mul(hn::Sub(c1, c0), q[1]), scale), rise2 = hn::Mul(hn::Mul(hn::Sub(c2, c0), q[2]), scale);
-    const PlaneLanes plane = make_plane(basis, hn::Zero(d), rise1, rise2);
+    const V start = hn::IfThenElse(perspective, hn::Zero(d), hn::Mul(c0, scale));
+    const PlaneLanes plane = make_plane(basis, start, rise1, rise2);
     hn::Store(plane.origin, d, out.origin[k]);
     hn::Store(plane.dx, d, out.dx[k]);
     hn::Store(plane.dy, d, out.dy[k]);
