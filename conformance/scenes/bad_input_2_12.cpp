@@ -22,7 +22,8 @@ void draw_grid(const GlTable& gl, GLenum mode, float bad, std::uint32_t seed) {
     gl.Begin(mode);
     for (int corner = 0; corner < 3; ++corner) {
       const auto& [x, y] = corners[static_cast<std::size_t>(corner)];
-      std::array<float, 4> position = {x + static_cast<float>(64 * (i % 4)), y + static_cast<float>(64 * (i / 4)), 0, 1};
+      std::array<float, 4> position = {x + static_cast<float>(64 * (i % 4)), y + static_cast<float>(64 * (i / 4)), 0,
+                                       1};
       if ((i + i / 4) % 2 == 1 && corner == i % 3) position[static_cast<std::size_t>(i / 2 % 4)] = bad;
       color_of(gl, random);
       gl.Vertex4fv(position.data());
@@ -31,11 +32,21 @@ void draw_grid(const GlTable& gl, GLenum mode, float bad, std::uint32_t seed) {
   }
 }
 
-void nan_positions(const GlTable& gl) { draw_grid(gl, GL_TRIANGLES, nan, 131); }
-void infinite_positions(const GlTable& gl) { draw_grid(gl, GL_TRIANGLES, infinity, 132); }
-void negative_infinite_positions(const GlTable& gl) { draw_grid(gl, GL_TRIANGLES, -infinity, 133); }
-void nan_line_positions(const GlTable& gl) { draw_grid(gl, GL_LINE_LOOP, nan, 134); }
-void infinite_point_positions(const GlTable& gl) { draw_grid(gl, GL_POINTS, infinity, 135); }
+void nan_positions(const GlTable& gl) {
+  draw_grid(gl, GL_TRIANGLES, nan, 131);
+}
+void infinite_positions(const GlTable& gl) {
+  draw_grid(gl, GL_TRIANGLES, infinity, 132);
+}
+void negative_infinite_positions(const GlTable& gl) {
+  draw_grid(gl, GL_TRIANGLES, -infinity, 133);
+}
+void nan_line_positions(const GlTable& gl) {
+  draw_grid(gl, GL_LINE_LOOP, nan, 134);
+}
+void infinite_point_positions(const GlTable& gl) {
+  draw_grid(gl, GL_POINTS, infinity, 135);
+}
 
 // A strip and a fan in which one vertex of many is bad: the triangles that touch it vanish.
 void nan_in_strip_and_fan(const GlTable& gl) {
@@ -48,8 +59,14 @@ void nan_in_strip_and_fan(const GlTable& gl) {
     gl.Vertex2f(7.3f + 10.2f * static_cast<float>(i), i == 11 ? nan : i % 2 == 0 ? 11.6f : 117.2f);
   }
   gl.End();
-  constexpr std::array<std::array<float, 2>, 8> rim = {{{247.2f, 191.3f}, {211.6f, 234.7f}, {128.4f, 248.1f}, {44.9f, 233.2f},
-                                                        {8.7f, 191.6f},  {43.8f, 149.4f}, {127.3f, 131.8f}, {212.1f, 148.7f}}};
+  constexpr std::array<std::array<float, 2>, 8> rim = {{{247.2f, 191.3f},
+                                                        {211.6f, 234.7f},
+                                                        {128.4f, 248.1f},
+                                                        {44.9f, 233.2f},
+                                                        {8.7f, 191.6f},
+                                                        {43.8f, 149.4f},
+                                                        {127.3f, 131.8f},
+                                                        {212.1f, 148.7f}}};
   gl.Begin(GL_TRIANGLE_FAN);
   gl.Color3f(0.8f, 0.8f, 0.8f);
   gl.Vertex2f(128.6f, 190.3f);
@@ -85,7 +102,8 @@ void overflowing_positions(const GlTable& gl) {
   for (const float far : {1e20f, 1e30f, 3e38f}) {
     load_model_view(gl, scaling(3, 3, 3));
     gl.Begin(GL_TRIANGLES);
-    for (const auto& [x, y] : std::array<std::array<float, 2>, 3>{{{-far, -far}, {far, -0.7f * far}, {0.1f * far, far}}}) {
+    for (const auto& [x, y] :
+         std::array<std::array<float, 2>, 3>{{{-far, -far}, {far, -0.7f * far}, {0.1f * far, far}}}) {
       color_of(gl, random);
       gl.Vertex2f(x, y);
     }
@@ -130,35 +148,58 @@ void bad_normals(const GlTable& gl) {
 SceneList bad_input_scenes() {
   constexpr auto section = "§2.12";
   return {
-      {.name = "nan_positions", .section = section,
-       .shows = "Every second triangle of 16 has a NaN in one vertex, and is missing.", .draw = nan_positions},
-      {.name = "infinite_positions", .section = section,
-       .shows = "Every second triangle of 16 has an infinite coordinate, and is missing.", .draw = infinite_positions},
-      {.name = "negative_infinite_positions", .section = section,
+      {.name = "nan_positions",
+       .section = section,
+       .shows = "Every second triangle of 16 has a NaN in one vertex, and is missing.",
+       .draw = nan_positions},
+      {.name = "infinite_positions",
+       .section = section,
+       .shows = "Every second triangle of 16 has an infinite coordinate, and is missing.",
+       .draw = infinite_positions},
+      {.name = "negative_infinite_positions",
+       .section = section,
        .shows = "Every second triangle of 16 has a coordinate of minus infinity, and is missing.",
        .draw = negative_infinite_positions},
-      {.name = "nan_line_positions", .section = section,
+      {.name = "nan_line_positions",
+       .section = section,
        .shows = "16 triangles of lines; of every second one only the edge without the NaN is left.",
-       .judge = Judge::lines_and_points, .draw = nan_line_positions},
-      {.name = "infinite_point_positions", .section = section,
-       .shows = "40 points; eight more have an infinite coordinate and are missing.", .judge = Judge::lines_and_points,
+       .judge = Judge::lines_and_points,
+       .draw = nan_line_positions},
+      {.name = "infinite_point_positions",
+       .section = section,
+       .shows = "40 points; eight more have an infinite coordinate and are missing.",
+       .judge = Judge::lines_and_points,
        .draw = infinite_point_positions},
-      {.name = "nan_in_strip_and_fan", .section = section,
-       .shows = "A strip without its three triangles at a NaN, a fan without its two at an infinity.", .draw = nan_in_strip_and_fan},
-      {.name = "nan_matrix", .section = section,
-       .shows = "One triangle: those through matrices with a NaN and an infinity are missing.", .draw = nan_matrix},
+      {.name = "nan_in_strip_and_fan",
+       .section = section,
+       .shows = "A strip without its three triangles at a NaN, a fan without its two at an infinity.",
+       .draw = nan_in_strip_and_fan},
+      {.name = "nan_matrix",
+       .section = section,
+       .shows = "One triangle: those through matrices with a NaN and an infinity are missing.",
+       .draw = nan_matrix},
       // Oracle only: what is left of a triangle whose clip coordinates overflow depends on the order of additions.
-      {.name = "overflowing_positions", .section = section,
-       .shows = "A plain rectangle over what 1e20, 1e30 and 3e38 leave of their triangles.", .judge = Judge::oracle_only,
+      {.name = "overflowing_positions",
+       .section = section,
+       .shows = "A plain rectangle over what 1e20, 1e30 and 3e38 leave of their triangles.",
+       .judge = Judge::oracle_only,
        .draw = overflowing_positions},
       // Oracle only: the specification does not say what a NaN becomes.
-      {.name = "bad_colors", .section = section,
-       .shows = "Four rectangles whose green is infinite, minus infinite, 1e38 and NaN.", .judge = Judge::oracle_only,
-       .width_px = 256, .height_px = 64, .draw = bad_colors},
+      {.name = "bad_colors",
+       .section = section,
+       .shows = "Four rectangles whose green is infinite, minus infinite, 1e38 and NaN.",
+       .judge = Judge::oracle_only,
+       .width_px = 256,
+       .height_px = 64,
+       .draw = bad_colors},
       // Oracle only: likewise.
-      {.name = "bad_normals", .section = section,
-       .shows = "Four rectangles with normals of length 1, 0, infinity and NaN.", .judge = Judge::oracle_only, .width_px = 256,
-       .height_px = 64, .draw = bad_normals},
+      {.name = "bad_normals",
+       .section = section,
+       .shows = "Four rectangles with normals of length 1, 0, infinity and NaN.",
+       .judge = Judge::oracle_only,
+       .width_px = 256,
+       .height_px = 64,
+       .draw = bad_normals},
   };
 }
 

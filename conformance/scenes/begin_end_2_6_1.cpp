@@ -60,15 +60,16 @@ void filled_modes(const GlTable& gl) {
 
 // Every mode with 0 .. 7 vertices: a row a mode, a column a count.
 void incomplete_grid(const GlTable& gl, bool flush_each) {
-  constexpr std::array<GLenum, 10> modes = {GL_POINTS,         GL_LINES,        GL_LINE_STRIP, GL_LINE_LOOP,  GL_TRIANGLES,
-                                            GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,      GL_QUAD_STRIP, GL_POLYGON};
+  constexpr std::array<GLenum, 10> modes = {GL_POINTS,     GL_LINES,          GL_LINE_STRIP,   GL_LINE_LOOP,
+                                            GL_TRIANGLES,  GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN, GL_QUADS,
+                                            GL_QUAD_STRIP, GL_POLYGON};
   clear_background(gl);
   pixel_space(gl, 512, 640);
   for (std::size_t row = 0; row < modes.size(); ++row) {
     const GLenum mode = modes[row];
-    const Points& all = mode == GL_QUADS                                                                ? two_quads
+    const Points& all = mode == GL_QUADS                                                        ? two_quads
                         : mode == GL_TRIANGLE_FAN || mode == GL_POLYGON || mode == GL_LINE_LOOP ? octagon
-                                                                                                        : zigzag;
+                                                                                                : zigzag;
     for (int count = 0; count < 8; ++count) {
       const Points some(all.begin(), all.begin() + count);
       const auto seed = static_cast<std::uint32_t>(100 + 8 * static_cast<int>(row) + count);
@@ -78,10 +79,14 @@ void incomplete_grid(const GlTable& gl, bool flush_each) {
   }
 }
 
-void incomplete_primitives(const GlTable& gl) { incomplete_grid(gl, true); }
+void incomplete_primitives(const GlTable& gl) {
+  incomplete_grid(gl, true);
+}
 // Oracle only: without a flush llvmpipe collects the primitives of a mode, and if the first of them is incomplete it
 // drops all line loops, quad strips and polygons after it (11,000 pixels of this picture).
-void incomplete_primitives_batched(const GlTable& gl) { incomplete_grid(gl, false); }
+void incomplete_primitives_batched(const GlTable& gl) {
+  incomplete_grid(gl, false);
+}
 
 void current_color_persists(const GlTable& gl) {
   clear_background(gl);
@@ -95,11 +100,11 @@ void current_color_persists(const GlTable& gl) {
     const float y = static_cast<float>(64 * row);
     gl.Color3f(0.2f * static_cast<float>(row + 1), 0.8f, 0.2f);
     gl.Begin(GL_TRIANGLES);
-    triangle(0, y);              // the colour from before Begin
-    gl.Color3f(0.8f, 0.2f, 0);   // for all vertices to come
+    triangle(0, y);             // the colour from before Begin
+    gl.Color3f(0.8f, 0.2f, 0);  // for all vertices to come
     triangle(64, y);
     gl.Vertex2f(131.2f, y + 6.1f);
-    gl.Color3f(0, 0.4f, 0.8f);   // in the middle of a triangle
+    gl.Color3f(0, 0.4f, 0.8f);  // in the middle of a triangle
     gl.Vertex2f(187.5f, y + 8.3f);
     gl.Vertex2f(160.3f, y + 57.4f);
     gl.Color3f(0.6f, 0.6f, 0.2f * static_cast<float>(row));  // after the last vertex: the next Begin has it
@@ -146,7 +151,8 @@ void state_between_primitives(const GlTable& gl) {
       gl.ColorMask(GL_TRUE, GL_TRUE, kind & 32 ? GL_TRUE : GL_FALSE, GL_TRUE);
       color_of(gl, random);
       gl.Begin(GL_TRIANGLE_STRIP);
-      for (const auto& [r, c] : {std::array{row + 1, column}, {row, column}, {row + 1, column + 1}, {row, column + 1}}) {
+      for (const auto& [r, c] :
+           {std::array{row + 1, column}, {row, column}, {row + 1, column + 1}, {row, column + 1}}) {
         gl.Normal3fv(ball.at(r, c).normal.data());
         gl.Vertex3fv(ball.at(r, c).position.data());
       }
@@ -160,25 +166,48 @@ void state_between_primitives(const GlTable& gl) {
 SceneList begin_end_scenes() {
   constexpr auto section = "§2.6.1";
   return {
-      {.name = "ten_modes", .section = section,
-       .shows = "All ten primitive modes, five a row: points, lines, strip, loop, triangles; strip, fan, quads, quad strip, polygon.",
-       .judge = Judge::lines_and_points, .width_px = 320, .height_px = 128, .draw = ten_modes},
-      {.name = "filled_modes", .section = section,
+      {.name = "ten_modes",
+       .section = section,
+       .shows = "All ten primitive modes, five a row: points, lines, strip, loop, triangles; strip, fan, quads, quad "
+                "strip, polygon.",
+       .judge = Judge::lines_and_points,
+       .width_px = 320,
+       .height_px = 128,
+       .draw = ten_modes},
+      {.name = "filled_modes",
+       .section = section,
        .shows = "The six filled modes in smooth random colours: triangles, strip, fan; quads, quad strip, polygon.",
-       .width_px = 192, .height_px = 128, .draw = filled_modes},
-      {.name = "incomplete_primitives", .section = section,
-       .shows = "Each mode (points at the bottom, polygons at the top) with 0 to 7 vertices from left to right: what is left over draws nothing.",
-       .judge = Judge::lines_and_points, .width_px = 512, .height_px = 640, .draw = incomplete_primitives},
-      {.name = "incomplete_primitives_batched", .section = section,
+       .width_px = 192,
+       .height_px = 128,
+       .draw = filled_modes},
+      {.name = "incomplete_primitives",
+       .section = section,
+       .shows = "Each mode (points at the bottom, polygons at the top) with 0 to 7 vertices from left to right: what "
+                "is left over draws nothing.",
+       .judge = Judge::lines_and_points,
+       .width_px = 512,
+       .height_px = 640,
+       .draw = incomplete_primitives},
+      {.name = "incomplete_primitives_batched",
+       .section = section,
        .shows = "The same without a flush between them.",
-       .judge = Judge::oracle_only, .width_px = 512, .height_px = 640, .draw = incomplete_primitives_batched},
-      {.name = "current_color_persists", .section = section,
-       .shows = "Colours set before, between and after vertices: the first column greens, then red, then red into blue, then olive.",
+       .judge = Judge::oracle_only,
+       .width_px = 512,
+       .height_px = 640,
+       .draw = incomplete_primitives_batched},
+      {.name = "current_color_persists",
+       .section = section,
+       .shows = "Colours set before, between and after vertices: the first column greens, then red, then red into "
+                "blue, then olive.",
        .draw = current_color_persists},
-      {.name = "many_tiny_begin_ends", .section = section,
-       .shows = "4096 small triangles, each in its own Begin/End and colour.", .draw = many_tiny_begin_ends},
-      {.name = "state_between_primitives", .section = section,
-       .shows = "A sphere of 1152 patches, each with another mix of lighting, lights, shade model, depth function, culling and colour mask.",
+      {.name = "many_tiny_begin_ends",
+       .section = section,
+       .shows = "4096 small triangles, each in its own Begin/End and colour.",
+       .draw = many_tiny_begin_ends},
+      {.name = "state_between_primitives",
+       .section = section,
+       .shows = "A sphere of 1152 patches, each with another mix of lighting, lights, shade model, depth function, "
+                "culling and colour mask.",
        .draw = state_between_primitives},
   };
 }

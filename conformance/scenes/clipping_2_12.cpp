@@ -77,7 +77,8 @@ void near_plane_floor(const GlTable& gl) {
 void one_big_floor_triangle(const GlTable& gl) {
   clear_background(gl);
   load_projection(gl, perspective(60, 1, 0.25f, 400));
-  draw_triangle(gl, {{{-37.3f, -1.2f, 21.7f, 1, red}, {33.9f, -1.4f, 17.1f, 1, green}, {3.7f, -0.9f, -93.8f, 1, blue}}});
+  draw_triangle(gl,
+                {{{-37.3f, -1.2f, 21.7f, 1, red}, {33.9f, -1.4f, 17.1f, 1, green}, {3.7f, -0.9f, -93.8f, 1, blue}}});
   draw_triangle(gl, {{{-41.1f, 2.2f, 3.9f, 1, white}, {2.8f, 2.7f, -71.3f, 1, cyan}, {39.4f, 3.1f, 6.2f, 1, yellow}}});
 }
 
@@ -104,8 +105,10 @@ void inside_a_tunnel(const GlTable& gl) {
 void w_zero_and_negative(const GlTable& gl) {
   clear_background(gl);
   gl.Enable(GL_DEPTH_TEST);
-  draw_triangle(gl, {{{-0.91f, -0.83f, 0.1f, 1, red}, {-0.12f, -0.87f, 0.1f, 1, green}, {-0.21f, 0.9f, 0.05f, 0, blue}}});
-  draw_triangle(gl, {{{0.11f, -0.93f, 0.2f, 1, yellow}, {0.92f, -0.71f, 0.2f, 1, cyan}, {0.37f, -0.63f, 0.1f, -1, white}}});
+  draw_triangle(gl,
+                {{{-0.91f, -0.83f, 0.1f, 1, red}, {-0.12f, -0.87f, 0.1f, 1, green}, {-0.21f, 0.9f, 0.05f, 0, blue}}});
+  draw_triangle(gl,
+                {{{0.11f, -0.93f, 0.2f, 1, yellow}, {0.92f, -0.71f, 0.2f, 1, cyan}, {0.37f, -0.63f, 0.1f, -1, white}}});
   draw_triangle(gl, {{{0.57f, 0.27f, 0.3f, 1, white}, {-1.8f, -0.2f, -0.2f, -2, red}, {-0.7f, 0.2f, 0.1f, -1, blue}}});
   // Behind the eye altogether, and all at infinity: nothing.
   draw_triangle(gl, {{{-0.2f, -0.2f, 0, -1, white}, {0.3f, -0.1f, 0, -1, white}, {0.1f, 0.4f, 0, -3, white}}});
@@ -200,33 +203,57 @@ void clipped_points(const GlTable& gl) {
 SceneList clipping_scenes() {
   constexpr auto section = "§2.12";
   return {
-      {.name = "each_plane", .section = section,
-       .shows = "Six triangles, each cut by one plane: right, left, top, bottom; in the middle by near (left) and far (right).",
+      {.name = "each_plane",
+       .section = section,
+       .shows = "Six triangles, each cut by one plane: right, left, top, bottom; in the middle by near (left) and far "
+                "(right).",
        .draw = each_plane},
-      {.name = "random_beyond_all_planes", .section = section,
-       .shows = "60 random triangles that reach three times as far as the volume, in all directions.", .draw = random_beyond_all_planes},
-      {.name = "near_plane_floor", .section = section,
-       .shows = "A checked floor from behind the eye to the horizon, its nearest checks cut by the near plane.", .draw = near_plane_floor},
-      {.name = "one_big_floor_triangle", .section = section,
-       .shows = "A floor and a ceiling of one triangle each, with vertices behind the eye.", .draw = one_big_floor_triangle},
-      {.name = "inside_a_tunnel", .section = section,
-       .shows = "From within a lit ring-shaped tunnel: walls all round, cut by the near plane and by all sides.", .draw = inside_a_tunnel},
-      {.name = "w_zero_and_negative", .section = section,
-       .shows = "Triangles with one vertex at w = 0, at w = -1, and with two at negative w: stripes that run off the picture.",
+      {.name = "random_beyond_all_planes",
+       .section = section,
+       .shows = "60 random triangles that reach three times as far as the volume, in all directions.",
+       .draw = random_beyond_all_planes},
+      {.name = "near_plane_floor",
+       .section = section,
+       .shows = "A checked floor from behind the eye to the horizon, its nearest checks cut by the near plane.",
+       .draw = near_plane_floor},
+      {.name = "one_big_floor_triangle",
+       .section = section,
+       .shows = "A floor and a ceiling of one triangle each, with vertices behind the eye.",
+       .draw = one_big_floor_triangle},
+      {.name = "inside_a_tunnel",
+       .section = section,
+       .shows = "From within a lit ring-shaped tunnel: walls all round, cut by the near plane and by all sides.",
+       .draw = inside_a_tunnel},
+      {.name = "w_zero_and_negative",
+       .section = section,
+       .shows = "Triangles with one vertex at w = 0, at w = -1, and with two at negative w: stripes that run off the "
+                "picture.",
        .draw = w_zero_and_negative},
-      {.name = "random_w", .section = section, .shows = "50 random triangles in clip space with w between -1 and 2.5.",
+      {.name = "random_w",
+       .section = section,
+       .shows = "50 random triangles in clip space with w between -1 and 2.5.",
        .draw = random_w},
-      {.name = "huge_coordinates", .section = section,
-       .shows = "Six rays up and six down, of triangles whose tips lie 10 to 10^12 units away.", .draw = huge_coordinates},
-      {.name = "covering_triangles", .section = section,
-       .shows = "One triangle fills the picture, another a viewport in its middle, edge to edge.", .draw = covering_triangles},
-      {.name = "far_plane_hills", .section = section,
-       .shows = "Hills cut by the near plane at the bottom and by the far plane at the back.", .draw = far_plane_hills},
-      {.name = "clipped_lines", .section = section,
-       .shows = "180 lines through a frustum, many with ends outside or behind the eye.", .judge = Judge::lines_and_points,
+      {.name = "huge_coordinates",
+       .section = section,
+       .shows = "Six rays up and six down, of triangles whose tips lie 10 to 10^12 units away.",
+       .draw = huge_coordinates},
+      {.name = "covering_triangles",
+       .section = section,
+       .shows = "One triangle fills the picture, another a viewport in its middle, edge to edge.",
+       .draw = covering_triangles},
+      {.name = "far_plane_hills",
+       .section = section,
+       .shows = "Hills cut by the near plane at the bottom and by the far plane at the back.",
+       .draw = far_plane_hills},
+      {.name = "clipped_lines",
+       .section = section,
+       .shows = "180 lines through a frustum, many with ends outside or behind the eye.",
+       .judge = Judge::lines_and_points,
        .draw = clipped_lines},
-      {.name = "clipped_points", .section = section,
-       .shows = "A rectangle of random points, none outside the viewport in the middle.", .judge = Judge::lines_and_points,
+      {.name = "clipped_points",
+       .section = section,
+       .shows = "A rectangle of random points, none outside the viewport in the middle.",
+       .judge = Judge::lines_and_points,
        .draw = clipped_points},
   };
 }

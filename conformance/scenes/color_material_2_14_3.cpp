@@ -37,7 +37,8 @@ void color_material_modes(const GlTable& gl) {
     gl.Enable(GL_COLOR_MATERIAL);
     draw_surface(gl, ball, [&](const Surface::Point& point) { rainbow(gl, point); });
     gl.Disable(GL_COLOR_MATERIAL);
-    for (const GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR}) material(gl, GL_FRONT, pname, {0.3f, 0.3f, 0.3f, 1});
+    for (const GLenum pname : {GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR})
+      material(gl, GL_FRONT, pname, {0.3f, 0.3f, 0.3f, 1});
     material(gl, GL_FRONT, GL_EMISSION, {0, 0, 0, 1});
   }
 }
@@ -111,7 +112,8 @@ void color_material_per_triangle(const GlTable& gl) {
     for (int column = 0; column + 1 < ring.columns; ++column) {
       gl.Begin(GL_TRIANGLE_STRIP);
       color_of(gl, random);
-      for (const auto& [r, c] : {std::array{row + 1, column}, {row, column}, {row + 1, column + 1}, {row, column + 1}}) {
+      for (const auto& [r, c] :
+           {std::array{row + 1, column}, {row, column}, {row + 1, column + 1}, {row, column + 1}}) {
         gl.Normal3fv(ring.at(r, c).normal.data());
         if (random.below(3) == 0) {
           color_of(gl, random);
@@ -129,18 +131,35 @@ void color_material_per_triangle(const GlTable& gl) {
 SceneList color_material_scenes() {
   constexpr auto section = "§2.14.3";
   return {
-      {.name = "color_material_modes", .section = section,
-       .shows = "Five balls whose rainbow colours drive emission, ambient, diffuse, specular, and ambient with diffuse.",
-       .width_px = 480, .height_px = 160, .draw = color_material_modes},
-      {.name = "color_material_faces", .section = section,
-       .shows = "Two pipes, inside above and outside below: the left one has the rainbow inside only, the right one on both sides.",
-       .width_px = 390, .height_px = 260, .draw = color_material_faces},
-      {.name = "color_material_back", .section = section, .shows = "A pipe in grey inside, the rainbow outside.",
-       .judge = Judge::oracle_only, .width_px = 390, .height_px = 260, .draw = color_material_back},
-      {.name = "color_material_tracking", .section = section,
-       .shows = "Balls in grey, red, green glowing blue, the same, and yellow with cyan in its shade.", .width_px = 480,
-       .height_px = 160, .draw = color_material_tracking},
-      {.name = "color_material_per_triangle", .section = section,
+      {.name = "color_material_modes",
+       .section = section,
+       .shows =
+           "Five balls whose rainbow colours drive emission, ambient, diffuse, specular, and ambient with diffuse.",
+       .width_px = 480,
+       .height_px = 160,
+       .draw = color_material_modes},
+      {.name = "color_material_faces",
+       .section = section,
+       .shows = "Two pipes, inside above and outside below: the left one has the rainbow inside only, the right one on "
+                "both sides.",
+       .width_px = 390,
+       .height_px = 260,
+       .draw = color_material_faces},
+      {.name = "color_material_back",
+       .section = section,
+       .shows = "A pipe in grey inside, the rainbow outside.",
+       .judge = Judge::oracle_only,
+       .width_px = 390,
+       .height_px = 260,
+       .draw = color_material_back},
+      {.name = "color_material_tracking",
+       .section = section,
+       .shows = "Balls in grey, red, green glowing blue, the same, and yellow with cyan in its shade.",
+       .width_px = 480,
+       .height_px = 160,
+       .draw = color_material_tracking},
+      {.name = "color_material_per_triangle",
+       .section = section,
        .shows = "A lit ring of patches in random colours, blending where a vertex changed the colour.",
        .draw = color_material_per_triangle},
   };

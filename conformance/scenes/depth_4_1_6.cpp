@@ -32,8 +32,10 @@ void depth_functions(const GlTable& gl) {
 
 /// Planes that cut through each other in several lines.
 void draw_intersecting(const GlTable& gl) {
-  const float planes[5][3] = {{0.2f, -0.7f, 0.05f}, {-0.6f, 0.3f, 0.1f}, {0.5f, 0.6f, -0.1f}, {-0.1f, -0.2f, 0.2f}, {0.85f, 0.1f, 0}};
-  const float colors[5][3] = {{0.8f, 0.2f, 0.2f}, {0.2f, 0.8f, 0.2f}, {0.2f, 0.2f, 0.8f}, {0.8f, 0.8f, 0.2f}, {0.2f, 0.8f, 0.8f}};
+  const float planes[5][3] = {
+      {0.2f, -0.7f, 0.05f}, {-0.6f, 0.3f, 0.1f}, {0.5f, 0.6f, -0.1f}, {-0.1f, -0.2f, 0.2f}, {0.85f, 0.1f, 0}};
+  const float colors[5][3] = {
+      {0.8f, 0.2f, 0.2f}, {0.2f, 0.8f, 0.2f}, {0.2f, 0.2f, 0.8f}, {0.8f, 0.8f, 0.2f}, {0.2f, 0.8f, 0.8f}};
   for (int i = 0; i < 5; ++i) {
     const float reach = 0.93f - 0.11f * static_cast<float>(i);
     gl.Color3fv(colors[i]);
@@ -68,9 +70,11 @@ void interlocked_rings(const GlTable& gl) {
   const Surface ring = torus(0.85f, 0.27f, 40, 20);
   for (int i = 0; i < 3; ++i) {
     const Matrix turned = multiply(rotation(67 * static_cast<float>(i), 0), rotation(31 * static_cast<float>(i), 2));
-    load_model_view(gl, multiply(view, multiply(translation(0.75f * static_cast<float>(i - 1), 0.1f * static_cast<float>(i), 0), turned)));
+    load_model_view(
+        gl, multiply(view, multiply(translation(0.75f * static_cast<float>(i - 1), 0.1f * static_cast<float>(i), 0),
+                                    turned)));
     draw_surface(gl, ring, [&](const Surface::Point& point) {
-      gl.Color3f(i == 0 ? 0.8f : 0.3f, 0.2f + 0.5f * point.v, i == 2 ? 0.8f : 0.4f * point.u);
+      gl.Color3f(i == 0 ? 0.8f : 0.32f, 0.21f + 0.53f * point.v, i == 2 ? 0.8f : 0.37f * point.u);
     });
   }
 }
@@ -106,7 +110,8 @@ void begin_ring(const GlTable& gl) {
   look(gl, {.distance = 4.2f, .pitch_deg = 38});
 }
 
-// A second pass over the same vertices in another colour passes everywhere under GL_LEQUAL, third ones elsewhere do not.
+// A second pass over the same vertices in another colour passes everywhere under GL_LEQUAL, third ones elsewhere do
+// not.
 void lequal_redraw(const GlTable& gl) {
   begin_ring(gl);
   const Surface ring = torus(0.95f, 0.38f, 40, 20);
@@ -152,9 +157,8 @@ void steep_depths(const GlTable& gl) {
   clear_background(gl);
   gl.Enable(GL_DEPTH_TEST);
   look(gl, {.distance = 4.2f, .pitch_deg = 38, .near = 0.02f, .far = 5000});
-  draw_surface(gl, torus(0.95f, 0.38f, 40, 20), [&](const Surface::Point& point) {
-    gl.Color3f(0.8f * point.u, 0.7f, 0.8f * point.v);
-  });
+  draw_surface(gl, torus(0.95f, 0.38f, 40, 20),
+               [&](const Surface::Point& point) { gl.Color3f(0.8f * point.u, 0.68f, 0.8f * point.v); });
   draw_surface(gl, sphere(0.6f, 20, 40), [&](const Surface::Point& point) { gl.Color3f(0.8f, 0.6f * point.v, 0.2f); });
 }
 
@@ -181,33 +185,65 @@ void small_steep_triangles(const GlTable& gl) {
 SceneList depth_scenes() {
   constexpr auto section = "§4.1.6";
   return {
-      {.name = "depth_functions", .section = section,
-       .shows = "A nearer red, an equal green and a farther blue stripe over grey, under all functions: never, less, equal, lequal; above, greater ... always.",
-       .width_px = 256, .height_px = 128, .draw = depth_functions},
-      {.name = "depth_intersecting", .section = section, .shows = "Five planes that cut each other in straight lines.",
+      {.name = "depth_functions",
+       .section = section,
+       .shows = "A nearer red, an equal green and a farther blue stripe over grey, under all functions: never, less, "
+                "equal, lequal; above, greater ... always.",
+       .width_px = 256,
+       .height_px = 128,
+       .draw = depth_functions},
+      {.name = "depth_intersecting",
+       .section = section,
+       .shows = "Five planes that cut each other in straight lines.",
        .draw = intersecting_planes},
-      {.name = "depth_intersecting_greater", .section = section, .shows = "The same planes seen from behind: the farther ones win.",
+      {.name = "depth_intersecting_greater",
+       .section = section,
+       .shows = "The same planes seen from behind: the farther ones win.",
        .draw = intersecting_planes_greater},
       {.name = "depth_interlocked", .section = section, .shows = "Three interlocked rings.", .draw = interlocked_rings},
-      {.name = "depth_16_bits", .section = section, .shows = "The interlocked rings in a depth buffer of 16 bits.",
-       .draw = interlocked_rings, .depth_bits = 16},
-      {.name = "depth_0_bits", .section = section, .shows = "The rings without a depth buffer: in the order drawn.",
-       .draw = interlocked_rings, .depth_bits = 0},
-      {.name = "depth_test_off", .section = section, .shows = "Five planes over each other in the order drawn.", .draw = depth_test_off},
-      {.name = "depth_mask", .section = section,
-       .shows = "Rectangles of which only every third leaves its depth, and a pale bar that lies among them.", .draw = depth_mask_off},
-      {.name = "depth_lequal_redraw", .section = section, .shows = "A green to blue ring; no red of the first pass is left.",
+      {.name = "depth_16_bits",
+       .section = section,
+       .shows = "The interlocked rings in a depth buffer of 16 bits.",
+       .draw = interlocked_rings,
+       .depth_bits = 16},
+      {.name = "depth_0_bits",
+       .section = section,
+       .shows = "The rings without a depth buffer: in the order drawn.",
+       .draw = interlocked_rings,
+       .depth_bits = 0},
+      {.name = "depth_test_off",
+       .section = section,
+       .shows = "Five planes over each other in the order drawn.",
+       .draw = depth_test_off},
+      {.name = "depth_mask",
+       .section = section,
+       .shows = "Rectangles of which only every third leaves its depth, and a pale bar that lies among them.",
+       .draw = depth_mask_off},
+      {.name = "depth_lequal_redraw",
+       .section = section,
+       .shows = "A green to blue ring; no red of the first pass is left.",
        .draw = lequal_redraw},
-      {.name = "depth_less_redraw", .section = section, .shows = "The same ring; no red of the second pass gets through.",
+      {.name = "depth_less_redraw",
+       .section = section,
+       .shows = "The same ring; no red of the second pass gets through.",
        .draw = less_redraw},
-      {.name = "depth_equal_multi_pass", .section = section,
-       .shows = "A ring and a ball lit red from the right, green from the left, blue from below, in three passes under GL_EQUAL.",
+      {.name = "depth_equal_multi_pass",
+       .section = section,
+       .shows = "A ring and a ball lit red from the right, green from the left, blue from below, in three passes under "
+                "GL_EQUAL.",
        .draw = equal_multi_pass},
-      {.name = "depth_steep_range", .section = section,
-       .shows = "A ball in a ring in a frustum of 0.02 to 5000: the order holds, depths crowd at the far end.", .draw = steep_depths},
-      {.name = "depth_small_steep_triangles", .section = section,
-       .shows = "3,000 small triangles through the whole depth range.", .draw = small_steep_triangles},
-      {.name = "depth_small_steep_16_bits", .section = section, .shows = "The same in 16 bits.", .draw = small_steep_triangles,
+      {.name = "depth_steep_range",
+       .section = section,
+       .shows = "A ball in a ring in a frustum of 0.02 to 5000: the order holds, depths crowd at the far end.",
+       .draw = steep_depths},
+      {.name = "depth_small_steep_triangles",
+       .section = section,
+       .shows = "3,000 small triangles through the whole depth range.",
+       .draw = small_steep_triangles},
+      {.name = "depth_small_steep_16_bits",
+       .section = section,
+       .shows = "The same in 16 bits.",
+       .draw = small_steep_triangles,
        .depth_bits = 16},
   };
 }

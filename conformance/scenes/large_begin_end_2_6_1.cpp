@@ -45,8 +45,12 @@ void spiral_ribbon(const GlTable& gl, GLenum mode) {
   gl.End();
 }
 
-void strip_50k(const GlTable& gl) { spiral_ribbon(gl, GL_TRIANGLE_STRIP); }
-void quad_strip_50k(const GlTable& gl) { spiral_ribbon(gl, GL_QUAD_STRIP); }
+void strip_50k(const GlTable& gl) {
+  spiral_ribbon(gl, GL_TRIANGLE_STRIP);
+}
+void quad_strip_50k(const GlTable& gl) {
+  spiral_ribbon(gl, GL_QUAD_STRIP);
+}
 
 // Around the hub 50 times, each time nearer to it: every turn lies over the one before.
 void fan_50k(const GlTable& gl) {
@@ -165,28 +169,51 @@ void points_50k(const GlTable& gl) {
 SceneList large_begin_end_scenes() {
   constexpr auto section = "§2.6.1";
   return {
-      {.name = "strip_50k", .section = section,
-       .shows = "A spiral ribbon of one triangle strip of 50,000 vertices.", .draw = strip_50k},
-      {.name = "quad_strip_50k", .section = section,
-       .shows = "The same spiral ribbon as one quad strip.", .draw = quad_strip_50k},
-      {.name = "fan_50k", .section = section,
-       .shows = "A fan of 50,000 vertices that winds 50 times around its hub, ever nearer: rings of rainbow colours, grey within.", .draw = fan_50k},
-      {.name = "polygon_50k", .section = section,
-       .shows = "A disc of one polygon of 50,000 vertices in a smooth colour gradient.", .draw = polygon_50k},
-      {.name = "quads_50k", .section = section,
-       .shows = "A field of 12,500 tiny parallelograms in one Begin/End.", .draw = quads_50k},
-      {.name = "triangles_51k", .section = section,
-       .shows = "17,000 random small triangles in one Begin/End, depth tested.", .draw = triangles_51k},
-      {.name = "loop_50k", .section = section,
+      {.name = "strip_50k",
+       .section = section,
+       .shows = "A spiral ribbon of one triangle strip of 50,000 vertices.",
+       .draw = strip_50k},
+      {.name = "quad_strip_50k",
+       .section = section,
+       .shows = "The same spiral ribbon as one quad strip.",
+       .draw = quad_strip_50k},
+      {.name = "fan_50k",
+       .section = section,
+       .shows = "A fan of 50,000 vertices that winds 50 times around its hub, ever nearer: rings of rainbow colours, "
+                "grey within.",
+       .draw = fan_50k},
+      {.name = "polygon_50k",
+       .section = section,
+       .shows = "A disc of one polygon of 50,000 vertices in a smooth colour gradient.",
+       .draw = polygon_50k},
+      {.name = "quads_50k",
+       .section = section,
+       .shows = "A field of 12,500 tiny parallelograms in one Begin/End.",
+       .draw = quads_50k},
+      {.name = "triangles_51k",
+       .section = section,
+       .shows = "17,000 random small triangles in one Begin/End, depth tested.",
+       .draw = triangles_51k},
+      {.name = "loop_50k",
+       .section = section,
        .shows = "A line loop through 50,000 pixel centres, row by row: a full rectangle, and its closing diagonal.",
-       .judge = Judge::lines_and_points, .draw = loop_50k},
-      {.name = "line_strip_50k", .section = section,
+       .judge = Judge::lines_and_points,
+       .draw = loop_50k},
+      {.name = "line_strip_50k",
+       .section = section,
        .shows = "A line strip of 50,000 vertices that winds outward 514 times.",
-       .judge = Judge::lines_and_points, .draw = line_strip_50k},
-      {.name = "lines_50k", .section = section,
-       .shows = "25,000 short random lines in one Begin/End.", .judge = Judge::lines_and_points, .draw = lines_50k},
-      {.name = "points_50k", .section = section,
-       .shows = "50,000 random points in one Begin/End.", .judge = Judge::lines_and_points, .draw = points_50k},
+       .judge = Judge::lines_and_points,
+       .draw = line_strip_50k},
+      {.name = "lines_50k",
+       .section = section,
+       .shows = "25,000 short random lines in one Begin/End.",
+       .judge = Judge::lines_and_points,
+       .draw = lines_50k},
+      {.name = "points_50k",
+       .section = section,
+       .shows = "50,000 random points in one Begin/End.",
+       .judge = Judge::lines_and_points,
+       .draw = points_50k},
   };
 }
 

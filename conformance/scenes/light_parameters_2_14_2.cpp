@@ -39,7 +39,8 @@ void material_grid(const GlTable& gl) {
     material(gl, GL_FRONT, GL_SPECULAR, column == 0 ? Four{0, 0, 0, 1} : Four{0.7f, 0.7f, 0.7f, 1});
     gl.Materialf(GL_FRONT, GL_SHININESS, column == 1 ? 5.0f : 90.0f);
     material(gl, GL_FRONT, GL_EMISSION, column == 3 ? Four{0.32f, 0.15f, 0.22f, 1} : Four{0, 0, 0, 1});
-    load_model_view(gl, multiply(view, translation(2.4f * static_cast<float>(column) - 3.6f, 2.4f * static_cast<float>(row) - 3.6f, 0)));
+    load_model_view(gl, multiply(view, translation(2.4f * static_cast<float>(column) - 3.6f,
+                                                   2.4f * static_cast<float>(row) - 3.6f, 0)));
     draw_surface(gl, ball);
   }
 }
@@ -83,7 +84,8 @@ void material_faces(const GlTable& gl) {
     const Matrix place = multiply(view, translation(x, 0, y));
     load_model_view(gl, multiply(place, translation(-0.5f, 0.3f, 0)));
     draw_surface(gl, pipe);
-    load_model_view(gl, multiply(place, multiply(translation(0.7f, -0.2f, 0), multiply(rotation(180, 2), scaling(0.6f, 0.6f, 1)))));
+    load_model_view(
+        gl, multiply(place, multiply(translation(0.7f, -0.2f, 0), multiply(rotation(180, 2), scaling(0.6f, 0.6f, 1)))));
     draw_surface(gl, pipe);
   };
   draw_pair(-1.2f, -1.2f);
@@ -103,7 +105,8 @@ void integer_forms(const GlTable& gl) {
   gl.Enable(GL_DEPTH_TEST);
   black_lighting(gl, 2);
   constexpr GLint one = 2147483647;
-  const std::array<GLint, 4> diffuse = {one / 5 * 4, one / 4 * 3, one / 2, one}, specular = {one / 3, one / 3, one / 3, one};
+  const std::array<GLint, 4> diffuse = {one / 5 * 4, one / 4 * 3, one / 2, one},
+                             specular = {one / 3, one / 3, one / 3, one};
   const std::array<GLint, 4> position = {2, 3, 4, 0}, lamp = {-1, 1, -2, 1}, model = {one / 9, one / 11, one / 7, one};
   const std::array<GLint, 3> direction = {1, -1, -2};
   gl.Lightiv(GL_LIGHT0, GL_DIFFUSE, diffuse.data());
@@ -142,21 +145,35 @@ void lit_alpha(const GlTable& gl) {
 SceneList light_parameter_scenes() {
   constexpr auto section = "§2.14.2";
   return {
-      {.name = "light_initial_values", .section = section,
-       .shows = "A grey ring lit from the eye: the initial light and material.", .draw = initial_values},
-      {.name = "material_grid", .section = section,
-       .shows = "16 balls: no highlight, broad, small, glowing; blue and red, without and with ambient.", .draw = material_grid},
-      {.name = "material_per_vertex", .section = section,
-       .shows = "A ring whose colour, glow and shine change from vertex to vertex.", .draw = material_per_vertex},
-      {.name = "material_change_mid_strip", .section = section,
-       .shows = "A ball of gold below, green in the middle, violet above: two changes within strips.", .draw = material_change_mid_strip},
-      {.name = "material_faces", .section = section,
-       .shows = "Four pairs of pipes, each pair inside and outside: grey; red inside; blue outside; all glowing green, shiny outside.",
+      {.name = "light_initial_values",
+       .section = section,
+       .shows = "A grey ring lit from the eye: the initial light and material.",
+       .draw = initial_values},
+      {.name = "material_grid",
+       .section = section,
+       .shows = "16 balls: no highlight, broad, small, glowing; blue and red, without and with ambient.",
+       .draw = material_grid},
+      {.name = "material_per_vertex",
+       .section = section,
+       .shows = "A ring whose colour, glow and shine change from vertex to vertex.",
+       .draw = material_per_vertex},
+      {.name = "material_change_mid_strip",
+       .section = section,
+       .shows = "A ball of gold below, green in the middle, violet above: two changes within strips.",
+       .draw = material_change_mid_strip},
+      {.name = "material_faces",
+       .section = section,
+       .shows = "Four pairs of pipes, each pair inside and outside: grey; red inside; blue outside; all glowing green, "
+                "shiny outside.",
        .draw = material_faces},
-      {.name = "light_integer_forms", .section = section,
-       .shows = "A blue ring under a light from above and a spot at the left, all set with integers.", .draw = integer_forms},
-      {.name = "lit_alpha", .section = section,
-       .shows = "A gold ball; its alpha (not its colour) rises from bottom to top.", .draw = lit_alpha},
+      {.name = "light_integer_forms",
+       .section = section,
+       .shows = "A blue ring under a light from above and a spot at the left, all set with integers.",
+       .draw = integer_forms},
+      {.name = "lit_alpha",
+       .section = section,
+       .shows = "A gold ball; its alpha (not its colour) rises from bottom to top.",
+       .draw = lit_alpha},
   };
 }
 

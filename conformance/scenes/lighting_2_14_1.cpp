@@ -1,5 +1,5 @@
-// The lighting equation 2.1 term by term, then all of it. Spot lights and attenuation have their own file. [GL1.5 §2.14.1]
-// Directions are generic: no vertex lies where n . VP is 0, on which a highlight or the lit side would hang.
+// The lighting equation 2.1 term by term, then all of it. Spot lights and attenuation have their own file. [GL1.5
+// §2.14.1] Directions are generic: no vertex lies where n . VP is 0, on which a highlight or the lit side would hang.
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/shapes.h"
 
@@ -142,9 +142,9 @@ void eight_lights(const GlTable& gl) {
     material(gl, GL_FRONT, GL_DIFFUSE, {0.6f, 0.6f, 0.6f, 1});
     material(gl, GL_FRONT, GL_SPECULAR, {0.5f, 0.5f, 0.5f, 1});
     gl.Materialf(GL_FRONT, GL_SHININESS, 60);
-    const float places[8][4] = {{0.91f, 0.23f, 0.41f, 0},   {0.57f, 0.79f, 0.37f, 0},   {-0.17f, 0.93f, 0.43f, 0},
-                                {-0.83f, 0.47f, 0.39f, 0},  {-1.9f, -0.3f, -3.1f, 1},   {-1.1f, -1.7f, -2.9f, 1},
-                                {0.4f, -1.9f, -3.2f, 1},    {1.8f, -1.1f, -3.3f, 1}};
+    const float places[8][4] = {{0.91f, 0.23f, 0.41f, 0},  {0.57f, 0.79f, 0.37f, 0}, {-0.17f, 0.93f, 0.43f, 0},
+                                {-0.83f, 0.47f, 0.39f, 0}, {-1.9f, -0.3f, -3.1f, 1}, {-1.1f, -1.7f, -2.9f, 1},
+                                {0.4f, -1.9f, -3.2f, 1},   {1.8f, -1.1f, -3.3f, 1}};
     for (GLenum i = 0; i < 8; ++i) {
       const Four color = {i & 1 ? 0.45f : 0, i & 2 ? 0.45f : 0, i & 4 ? 0.5f : 0.05f, 1};
       light(gl, GL_LIGHT0 + i, GL_DIFFUSE, color);
@@ -185,8 +185,12 @@ void light_pipes(const GlTable& gl, bool two_sided) {
   draw_pipes(gl);
 }
 
-void two_sided(const GlTable& gl) { light_pipes(gl, true); }
-void one_sided(const GlTable& gl) { light_pipes(gl, false); }
+void two_sided(const GlTable& gl) {
+  light_pipes(gl, true);
+}
+void one_sided(const GlTable& gl) {
+  light_pipes(gl, false);
+}
 
 // Which face is the back is glFrontFace's choice; culling and lighting follow the same one.
 void two_sided_clockwise(const GlTable& gl) {
@@ -251,7 +255,9 @@ void everything_together(const GlTable& gl) {
   gl.ColorMaterial(GL_FRONT_AND_BACK, GL_DIFFUSE);
   gl.Enable(GL_COLOR_MATERIAL);
   const Matrix view = look(gl, {.distance = 4.9f, .pitch_deg = 38, .yaw_deg = 22});
-  const auto by_place = [&](const Surface::Point& point) { gl.Color3f(0.9f - 0.7f * point.u, 0.3f + 0.5f * point.v, 0.6f); };
+  const auto by_place = [&](const Surface::Point& point) {
+    gl.Color3f(0.9f - 0.7f * point.u, 0.3f + 0.5f * point.v, 0.6f);
+  };
   draw_surface(gl, torus(1.1f, 0.4f, 48, 24), by_place);
   load_model_view(gl, multiply(view, multiply(translation(-0.1f, 0.9f, 0.1f), scaling(1.1f, 1.2f, 0.5f))));
   draw_surface(gl, half_pipe(0.9f, 2.2f, 16, 32), by_place);
@@ -262,46 +268,88 @@ void everything_together(const GlTable& gl) {
 SceneList lighting_scenes() {
   constexpr auto section = "§2.14.1";
   return {
-      {.name = "light_emission", .section = section, .shows = "Ring and ball of one flat orange: emission alone.", .draw = emission},
-      {.name = "light_model_ambient", .section = section,
-       .shows = "Ring and ball of one flat green: the model's ambient light alone.", .draw = model_ambient},
-      {.name = "light_ambient", .section = section, .shows = "Ring and ball of one flat brown: a light's ambient term alone.",
+      {.name = "light_emission",
+       .section = section,
+       .shows = "Ring and ball of one flat orange: emission alone.",
+       .draw = emission},
+      {.name = "light_model_ambient",
+       .section = section,
+       .shows = "Ring and ball of one flat green: the model's ambient light alone.",
+       .draw = model_ambient},
+      {.name = "light_ambient",
+       .section = section,
+       .shows = "Ring and ball of one flat brown: a light's ambient term alone.",
        .draw = ambient},
-      {.name = "light_diffuse", .section = section, .shows = "Ring and ball in blue, lit from the upper right, black on the far side.",
+      {.name = "light_diffuse",
+       .section = section,
+       .shows = "Ring and ball in blue, lit from the upper right, black on the far side.",
        .draw = diffuse},
       {.name = "light_specular", .section = section, .shows = "Only broad highlights on black.", .draw = specular},
-      {.name = "light_directional", .section = section, .shows = "Red plastic under a directional light: all terms.",
+      {.name = "light_directional",
+       .section = section,
+       .shows = "Red plastic under a directional light: all terms.",
        .draw = directional_plastic},
-      {.name = "light_positional", .section = section,
-       .shows = "Red plastic under a light close by on the right: brightest around it.", .draw = positional_plastic},
-      {.name = "light_position_w", .section = section, .shows = "Red plastic under a light on the left whose position has w = 0.4.",
+      {.name = "light_positional",
+       .section = section,
+       .shows = "Red plastic under a light close by on the right: brightest around it.",
+       .draw = positional_plastic},
+      {.name = "light_position_w",
+       .section = section,
+       .shows = "Red plastic under a light on the left whose position has w = 0.4.",
        .draw = position_with_w},
-      {.name = "light_local_viewer", .section = section,
-       .shows = "The directional scene with a local viewer: the highlights move.", .draw = local_viewer},
-      {.name = "light_local_viewer_positional", .section = section, .shows = "The positional scene with a local viewer.",
+      {.name = "light_local_viewer",
+       .section = section,
+       .shows = "The directional scene with a local viewer: the highlights move.",
+       .draw = local_viewer},
+      {.name = "light_local_viewer_positional",
+       .section = section,
+       .shows = "The positional scene with a local viewer.",
        .draw = local_viewer_positional},
-      {.name = "light_behind", .section = section, .shows = "A light behind: only rims and tops are lit, no highlight on dark sides.",
+      {.name = "light_behind",
+       .section = section,
+       .shows = "A light behind: only rims and tops are lit, no highlight on dark sides.",
        .draw = light_behind},
-      {.name = "light_negative", .section = section,
-       .shows = "Red plastic from which a second, negative light on the right takes red and adds green.", .draw = negative_light},
-      {.name = "lights_disabled", .section = section,
+      {.name = "light_negative",
+       .section = section,
+       .shows = "Red plastic from which a second, negative light on the right takes red and adds green.",
+       .draw = negative_light},
+      {.name = "lights_disabled",
+       .section = section,
        .shows = "Eight lights, of which only the green one on the left shines: the others are disabled or black.",
        .draw = disabled_lights_between},
-      {.name = "lights_eight", .section = section, .shows = "Grey ring and ball under eight coloured lights from all round.",
+      {.name = "lights_eight",
+       .section = section,
+       .shows = "Grey ring and ball under eight coloured lights from all round.",
        .draw = eight_lights},
-      {.name = "two_sided", .section = section,
-       .shows = "Two half pipes, golden inside and blue with green sheen outside.", .width_px = 320, .height_px = 200, .draw = two_sided},
-      {.name = "one_sided", .section = section,
-       .shows = "The half pipes without two-sided lighting: outside golden too, and lit only where its inward normals see the light behind.", .width_px = 320,
-       .height_px = 200, .draw = one_sided},
-      {.name = "two_sided_clockwise", .section = section,
-       .shows = "The half pipes with clockwise fronts: blue inside and gold outside, each lit from the other side.", .width_px = 320,
-       .height_px = 200, .draw = two_sided_clockwise},
-      {.name = "shininess_row", .section = section,
-       .shows = "Eight spheres with shininess 0, 0.5, 1, 4; 17.3, 40, 100, 128: highlights from all over to a dot.", .width_px = 512,
-       .height_px = 256, .draw = shininess_row},
-      {.name = "light_everything", .section = section,
-       .shows = "Five lights of all kinds on a striped ring and a stretched pipe, two-sided, separate specular, local viewer.",
+      {.name = "two_sided",
+       .section = section,
+       .shows = "Two half pipes, golden inside and blue with green sheen outside.",
+       .width_px = 320,
+       .height_px = 200,
+       .draw = two_sided},
+      {.name = "one_sided",
+       .section = section,
+       .shows = "The half pipes without two-sided lighting: outside golden too, and lit only where its inward normals "
+                "see the light behind.",
+       .width_px = 320,
+       .height_px = 200,
+       .draw = one_sided},
+      {.name = "two_sided_clockwise",
+       .section = section,
+       .shows = "The half pipes with clockwise fronts: blue inside and gold outside, each lit from the other side.",
+       .width_px = 320,
+       .height_px = 200,
+       .draw = two_sided_clockwise},
+      {.name = "shininess_row",
+       .section = section,
+       .shows = "Eight spheres with shininess 0, 0.5, 1, 4; 17.3, 40, 100, 128: highlights from all over to a dot.",
+       .width_px = 512,
+       .height_px = 256,
+       .draw = shininess_row},
+      {.name = "light_everything",
+       .section = section,
+       .shows = "Five lights of all kinds on a striped ring and a stretched pipe, two-sided, separate specular, local "
+                "viewer.",
        .draw = everything_together},
   };
 }

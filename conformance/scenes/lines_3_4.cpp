@@ -36,7 +36,7 @@ void lines_between_centers(const GlTable& gl) {
       const float x = 8.5f + 17 * static_cast<float>(dx + 7), y = 8.5f + 17 * static_cast<float>(dy + 7);
       gl.Color3f(0.83f, 0.78f, 0.41f);
       gl.Vertex2f(x, y);
-      gl.Color3f(0.21f, 0.37f, 0.88f);
+      gl.Color3f(0.22f, 0.353f, 0.874f);
       gl.Vertex2f(x + static_cast<float>(dx), y + static_cast<float>(dy));
     }
   }
@@ -91,7 +91,8 @@ void lines_short(const GlTable& gl) {
   for (int row = 0; row < 32; ++row) {
     for (int column = 0; column < 32; ++column) {
       color_of(gl, random);
-      const float x = 8 * static_cast<float>(column) + random.range(0, 8), y = 8 * static_cast<float>(row) + random.range(0, 8);
+      const float x = 8 * static_cast<float>(column) + random.range(0, 8),
+                  y = 8 * static_cast<float>(row) + random.range(0, 8);
       gl.Vertex2f(x, y);
       gl.Vertex2f(x + random.range(-8, 8), y + random.range(-8, 8));
     }
@@ -122,7 +123,8 @@ void lines_of_no_length(const GlTable& gl) {
   clear_background(gl);
   pixel_space(gl, 128, 128);
   for (int i = 0; i < 16; ++i) {
-    const float x = 16.5f + 32 * static_cast<float>(i % 4) + (i % 3 == 0 ? 0.0f : 0.21f), y = 16.5f + 32 * static_cast<float>(i / 4);
+    const float x = 16.5f + 32 * static_cast<float>(i % 4) + (i % 3 == 0 ? 0.0f : 0.21f),
+                y = 16.5f + 32 * static_cast<float>(i / 4);
     gl.Color3f(0.8f, 0.2f, 0.2f);
     gl.Begin(i % 2 == 0 ? GL_LINES : GL_LINE_LOOP);
     gl.Vertex2f(x, y);
@@ -148,8 +150,10 @@ void lissajous(const GlTable& gl) {
     gl.Begin(curve == 1 ? GL_LINE_STRIP : GL_LINE_LOOP);
     for (int i = 0; i < points; ++i) {
       const double t = turn * i / points + 0.03;
-      gl.Color3f(static_cast<float>(0.5 + 0.4 * std::sin(t)), 0.25f * static_cast<float>(curve + 1), static_cast<float>(0.5 - 0.4 * std::sin(2 * t)));
-      gl.Vertex2f(static_cast<float>(128.2 + shrink * std::sin(3 * t)), static_cast<float>(127.9 + shrink * std::cos(2 * t + 0.4)));
+      gl.Color3f(static_cast<float>(0.5 + 0.4 * std::sin(t)), 0.25f * static_cast<float>(curve + 1),
+                 static_cast<float>(0.5 - 0.4 * std::sin(2 * t)));
+      gl.Vertex2f(static_cast<float>(128.2 + shrink * std::sin(3 * t)),
+                  static_cast<float>(127.9 + shrink * std::cos(2 * t + 0.4)));
     }
     gl.End();
   }
@@ -160,9 +164,8 @@ void lines_in_depth(const GlTable& gl) {
   clear_background(gl);
   gl.Enable(GL_DEPTH_TEST);
   look(gl, {.distance = 4.2f, .pitch_deg = 30});
-  draw_surface(gl, torus(0.95f, 0.38f, 40, 20), [&](const Surface::Point& point) {
-    gl.Color3f(0.2f + 0.3f * point.u, 0.25f, 0.3f + 0.4f * point.v);
-  });
+  draw_surface(gl, torus(0.95f, 0.38f, 40, 20),
+               [&](const Surface::Point& point) { gl.Color3f(0.2f + 0.3f * point.u, 0.25f, 0.3f + 0.4f * point.v); });
   gl.Begin(GL_LINES);
   for (int i = -6; i <= 6; ++i) {
     const float at = 0.23f * static_cast<float>(i) + 0.011f;
@@ -202,27 +205,59 @@ SceneList line_scenes() {
   constexpr auto section = "§3.4";
   constexpr auto judge = Judge::lines_and_points;
   return {
-      {.name = "line_star", .section = section, .shows = "A star of 120 smooth-coloured rays.", .judge = judge, .draw = line_star},
-      {.name = "lines_between_centers", .section = section,
-       .shows = "225 short lines between pixel centres, in every direction; the middle one has no length.", .judge = judge,
+      {.name = "line_star",
+       .section = section,
+       .shows = "A star of 120 smooth-coloured rays.",
+       .judge = judge,
+       .draw = line_star},
+      {.name = "lines_between_centers",
+       .section = section,
+       .shows = "225 short lines between pixel centres, in every direction; the middle one has no length.",
+       .judge = judge,
        .draw = lines_between_centers},
-      {.name = "long_lines_between_centers", .section = section,
-       .shows = "Parallel lines between pixel centres: horizontal, vertical, diagonal, slopes 1/2 and -2.", .judge = judge,
+      {.name = "long_lines_between_centers",
+       .section = section,
+       .shows = "Parallel lines between pixel centres: horizontal, vertical, diagonal, slopes 1/2 and -2.",
+       .judge = judge,
        .draw = long_lines_between_centers},
-      {.name = "lines_random", .section = section, .shows = "400 random lines.", .judge = judge, .width_px = 500, .height_px = 333,
+      {.name = "lines_random",
+       .section = section,
+       .shows = "400 random lines.",
+       .judge = judge,
+       .width_px = 500,
+       .height_px = 333,
        .draw = lines_random},
-      {.name = "lines_short", .section = section, .shows = "1024 random lines of up to 8 pixels.", .judge = judge, .draw = lines_short},
-      {.name = "lines_steep_and_flat", .section = section, .shows = "60 nearly horizontal and 60 nearly vertical lines.",
-       .judge = judge, .draw = lines_steep_and_flat},
-      {.name = "lines_of_no_length", .section = section,
-       .shows = "16 green crosses; nothing red: lines without length leave no pixel.", .judge = judge, .width_px = 128,
-       .height_px = 128, .draw = lines_of_no_length},
-      {.name = "line_lissajous", .section = section, .shows = "Three nested curves of line loops and a strip.", .judge = judge,
+      {.name = "lines_short",
+       .section = section,
+       .shows = "1024 random lines of up to 8 pixels.",
+       .judge = judge,
+       .draw = lines_short},
+      {.name = "lines_steep_and_flat",
+       .section = section,
+       .shows = "60 nearly horizontal and 60 nearly vertical lines.",
+       .judge = judge,
+       .draw = lines_steep_and_flat},
+      {.name = "lines_of_no_length",
+       .section = section,
+       .shows = "16 green crosses; nothing red: lines without length leave no pixel.",
+       .judge = judge,
+       .width_px = 128,
+       .height_px = 128,
+       .draw = lines_of_no_length},
+      {.name = "line_lissajous",
+       .section = section,
+       .shows = "Three nested curves of line loops and a strip.",
+       .judge = judge,
        .draw = lissajous},
-      {.name = "lines_in_depth", .section = section, .shows = "Two grids of lines through a ring, hidden where it is nearer.",
-       .judge = judge, .draw = lines_in_depth},
-      {.name = "lines_perspective", .section = section,
-       .shows = "40 lines from near (red) to far (blue) that meet at a point: mostly blue, as perspective has it.", .judge = judge,
+      {.name = "lines_in_depth",
+       .section = section,
+       .shows = "Two grids of lines through a ring, hidden where it is nearer.",
+       .judge = judge,
+       .draw = lines_in_depth},
+      {.name = "lines_perspective",
+       .section = section,
+       .shows = "40 lines from near (red) to far (blue) that meet at a point: mostly blue, as perspective has it.",
+       .judge = judge,
        .draw = lines_perspective},
   };
 }

@@ -68,7 +68,7 @@ void invisible_occluder(const GlTable& gl) {
   draw_surface(gl, sphere(0.85f, 24, 48));
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   draw_surface(gl, torus(0.95f, 0.38f, 40, 20), [&](const Surface::Point& point) {
-    gl.Color3f(0.8f - 0.5f * point.v, 0.3f + 0.5f * point.u, 0.3f);
+    gl.Color3f(0.81f - 0.53f * point.v, 0.29f + 0.47f * point.u, 0.31f);
   });
 }
 
@@ -99,16 +99,26 @@ void clear_between(const GlTable& gl) {
 SceneList mask_and_clear_scenes() {
   constexpr auto masks = "§4.2.2", clears = "§4.2.3";
   return {
-      {.name = "color_masks", .section = masks, .shows = "A rainbow square through each of the 16 colour masks, none to all.",
+      {.name = "color_masks",
+       .section = masks,
+       .shows = "A rainbow square through each of the 16 colour masks, none to all.",
        .draw = color_masks},
-      {.name = "color_mask_channels", .section = masks, .shows = "Red, green and blue rings that mix where they overlap.",
+      {.name = "color_mask_channels",
+       .section = masks,
+       .shows = "Red, green and blue rings that mix where they overlap.",
        .draw = channels},
-      {.name = "color_mask_occluder", .section = masks, .shows = "A ring with a ball-shaped piece missing: the ball wrote depth alone.",
+      {.name = "color_mask_occluder",
+       .section = masks,
+       .shows = "A ring with a ball-shaped piece missing: the ball wrote depth alone.",
        .draw = invisible_occluder},
-      {.name = "masked_clears", .section = clears, .shows = "16 blue boxes, cleared again to yellow through the 16 masks.",
+      {.name = "masked_clears",
+       .section = clears,
+       .shows = "16 blue boxes, cleared again to yellow through the 16 masks.",
        .draw = masked_clears},
-      {.name = "clear_between", .section = clears,
-       .shows = "On green: a red rectangle and a yellow one; a blue and a white one fail against the cleared depth.", .draw = clear_between},
+      {.name = "clear_between",
+       .section = clears,
+       .shows = "On green: a red rectangle and a yellow one; a blue and a white one fail against the cleared depth.",
+       .draw = clear_between},
   };
 }
 

@@ -53,11 +53,18 @@ void draw_stretched(const GlTable& gl, Normals normals) {
   draw_surface(gl, sphere(0.9f, 24, 48));
 }
 
-void stretched_as_given(const GlTable& gl) { draw_stretched(gl, Normals::as_given); }
-void stretched_normalized(const GlTable& gl) { draw_stretched(gl, Normals::normalized); }
+void stretched_as_given(const GlTable& gl) {
+  draw_stretched(gl, Normals::as_given);
+}
+void stretched_normalized(const GlTable& gl) {
+  draw_stretched(gl, Normals::normalized);
+}
 
-// Every stretch with the z axis last leaves another factor: it is the length of the inverse's third row (eq of §2.11.3).
-void stretched_rescaled(const GlTable& gl) { draw_stretched(gl, Normals::rescaled); }
+// Every stretch with the z axis last leaves another factor: it is the length of the inverse's third row (eq of
+// §2.11.3).
+void stretched_rescaled(const GlTable& gl) {
+  draw_stretched(gl, Normals::rescaled);
+}
 
 void sheared_normalized(const GlTable& gl) {
   prepare(gl);
@@ -88,8 +95,12 @@ void draw_uneven_lengths(const GlTable& gl, Normals normals) {
   }
 }
 
-void uneven_lengths_normalized(const GlTable& gl) { draw_uneven_lengths(gl, Normals::normalized); }
-void uneven_lengths_as_given(const GlTable& gl) { draw_uneven_lengths(gl, Normals::as_given); }
+void uneven_lengths_normalized(const GlTable& gl) {
+  draw_uneven_lengths(gl, Normals::normalized);
+}
+void uneven_lengths_as_given(const GlTable& gl) {
+  draw_uneven_lengths(gl, Normals::as_given);
+}
 
 // Normals point along the scaled axes only: what is left of a box when its sides are stretched.
 void boxes_stretched(const GlTable& gl) {
@@ -130,32 +141,58 @@ void current_normal_persists(const GlTable& gl) {
 SceneList normal_scenes() {
   constexpr auto section = "§2.11.3";
   return {
-      {.name = "scaled_as_given", .section = section,
+      {.name = "scaled_as_given",
+       .section = section,
        .shows = "Four equal rings under scales 0.625, 0.9, 1 and 1.7 without GL_NORMALIZE: from overbright to dim.",
-       .width_px = 480, .height_px = 160, .draw = uniform_scale<Normals::as_given>},
-      {.name = "scaled_rescaled", .section = section,
-       .shows = "The four rings under GL_RESCALE_NORMAL: all alike.", .width_px = 480, .height_px = 160,
+       .width_px = 480,
+       .height_px = 160,
+       .draw = uniform_scale<Normals::as_given>},
+      {.name = "scaled_rescaled",
+       .section = section,
+       .shows = "The four rings under GL_RESCALE_NORMAL: all alike.",
+       .width_px = 480,
+       .height_px = 160,
        .draw = uniform_scale<Normals::rescaled>},
-      {.name = "scaled_normalized", .section = section, .shows = "The four rings under GL_NORMALIZE: all alike.",
-       .width_px = 480, .height_px = 160, .draw = uniform_scale<Normals::normalized>},
-      {.name = "stretched_as_given", .section = section,
-       .shows = "A sphere stretched to an egg; normals of false lengths leave it without a highlight.", .draw = stretched_as_given},
-      {.name = "stretched_rescaled", .section = section,
-       .shows = "The egg under GL_RESCALE_NORMAL: all lengths scaled by one factor, still false.", .draw = stretched_rescaled},
-      {.name = "stretched_normalized", .section = section, .shows = "The egg under GL_NORMALIZE: lit as an egg should be.",
+      {.name = "scaled_normalized",
+       .section = section,
+       .shows = "The four rings under GL_NORMALIZE: all alike.",
+       .width_px = 480,
+       .height_px = 160,
+       .draw = uniform_scale<Normals::normalized>},
+      {.name = "stretched_as_given",
+       .section = section,
+       .shows = "A sphere stretched to an egg; normals of false lengths leave it without a highlight.",
+       .draw = stretched_as_given},
+      {.name = "stretched_rescaled",
+       .section = section,
+       .shows = "The egg under GL_RESCALE_NORMAL: all lengths scaled by one factor, still false.",
+       .draw = stretched_rescaled},
+      {.name = "stretched_normalized",
+       .section = section,
+       .shows = "The egg under GL_NORMALIZE: lit as an egg should be.",
        .draw = stretched_normalized},
-      {.name = "sheared_normalized", .section = section,
+      {.name = "sheared_normalized",
+       .section = section,
        .shows = "A sheared sphere under GL_NORMALIZE: the highlight sits where the sheared surface faces it.",
        .draw = sheared_normalized},
-      {.name = "uneven_lengths_normalized", .section = section,
-       .shows = "A sphere with normals of random lengths, normalised: a plain sphere.", .draw = uneven_lengths_normalized},
-      {.name = "uneven_lengths_as_given", .section = section,
-       .shows = "The same normals as they are: bright and dark patches.", .draw = uneven_lengths_as_given},
-      {.name = "boxes_stretched", .section = section, .shows = "Five boxes of other proportions, their like faces lit alike.",
+      {.name = "uneven_lengths_normalized",
+       .section = section,
+       .shows = "A sphere with normals of random lengths, normalised: a plain sphere.",
+       .draw = uneven_lengths_normalized},
+      {.name = "uneven_lengths_as_given",
+       .section = section,
+       .shows = "The same normals as they are: bright and dark patches.",
+       .draw = uneven_lengths_as_given},
+      {.name = "boxes_stretched",
+       .section = section,
+       .shows = "Five boxes of other proportions, their like faces lit alike.",
        .draw = boxes_stretched},
-      {.name = "current_normal_persists", .section = section,
-       .shows = "Four rectangles; the lower vertices of each have the normal that the one before ended with.", .width_px = 256,
-       .height_px = 128, .draw = current_normal_persists},
+      {.name = "current_normal_persists",
+       .section = section,
+       .shows = "Four rectangles; the lower vertices of each have the normal that the one before ended with.",
+       .width_px = 256,
+       .height_px = 128,
+       .draw = current_normal_persists},
   };
 }
 

@@ -17,7 +17,8 @@ void points_sub_pixel(const GlTable& gl) {
     for (int column = 0; column < 32; ++column) {
       const float x = static_cast<float>(column), y = static_cast<float>(row);
       gl.Color3f(x / 37, 0.6f, y / 37);
-      gl.Vertex2f(4 * x + 1 + (1 + 2 * static_cast<float>(column % 8)) / 16, 4 * y + 1 + (1 + 2 * static_cast<float>(row % 8)) / 16);
+      gl.Vertex2f(4 * x + 1 + (1 + 2 * static_cast<float>(column % 8)) / 16,
+                  4 * y + 1 + (1 + 2 * static_cast<float>(row % 8)) / 16);
     }
   }
   gl.End();
@@ -79,15 +80,30 @@ void points_lit(const GlTable& gl) {
 SceneList point_scenes() {
   constexpr auto section = "§3.3";
   return {
-      {.name = "points_sub_pixel", .section = section, .shows = "A regular grid of points, whatever their sub-pixel place.",
-       .judge = Judge::lines_and_points, .width_px = 128, .height_px = 128, .draw = points_sub_pixel},
-      {.name = "points_at_centers", .section = section, .shows = "A chessboard of points at pixel centres.",
-       .judge = Judge::lines_and_points, .width_px = 128, .height_px = 128, .draw = points_at_centers},
-      {.name = "points_depth_tested", .section = section, .shows = "A ring and a ball of points, depth tested.",
-       .judge = Judge::lines_and_points, .draw = points_depth_tested},
-      {.name = "points_lit", .section = section,
+      {.name = "points_sub_pixel",
+       .section = section,
+       .shows = "A regular grid of points, whatever their sub-pixel place.",
+       .judge = Judge::lines_and_points,
+       .width_px = 128,
+       .height_px = 128,
+       .draw = points_sub_pixel},
+      {.name = "points_at_centers",
+       .section = section,
+       .shows = "A chessboard of points at pixel centres.",
+       .judge = Judge::lines_and_points,
+       .width_px = 128,
+       .height_px = 128,
+       .draw = points_at_centers},
+      {.name = "points_depth_tested",
+       .section = section,
+       .shows = "A ring and a ball of points, depth tested.",
+       .judge = Judge::lines_and_points,
+       .draw = points_depth_tested},
+      {.name = "points_lit",
+       .section = section,
        .shows = "A ring of lit points in gold: neither culling nor the red back material touches points.",
-       .judge = Judge::lines_and_points, .draw = points_lit},
+       .judge = Judge::lines_and_points,
+       .draw = points_lit},
   };
 }
 

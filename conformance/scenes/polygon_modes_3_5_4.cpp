@@ -10,20 +10,24 @@ namespace gouraud::conformance {
 namespace {
 
 void colored(const GlTable& gl, const Surface::Point& point) {
-  gl.Color3f(0.25f + 0.55f * point.u, 0.9f - 0.6f * point.v, 0.2f + 0.6f * point.v);
+  gl.Color3f(0.26f + 0.53f * point.u, 0.87f - 0.61f * point.v, 0.19f + 0.57f * point.v);
 }
 
-void draw_ring(const GlTable& gl, GLenum front, GLenum back) {
+void draw_ring(const GlTable& gl, GLenum front, GLenum back, int rings = 24) {
   clear_background(gl);
   gl.Enable(GL_DEPTH_TEST);
   look(gl, {.distance = 4.4f, .pitch_deg = 38});
   gl.PolygonMode(GL_FRONT, front);
   gl.PolygonMode(GL_BACK, back);
-  draw_surface(gl, torus(0.95f, 0.38f, 24, 12), [&](const Surface::Point& point) { colored(gl, point); });
+  draw_surface(gl, torus(0.95f, 0.38f, rings, rings / 2), [&](const Surface::Point& point) { colored(gl, point); });
 }
 
-void ring_of_lines(const GlTable& gl) { draw_ring(gl, GL_LINE, GL_LINE); }
-void ring_of_points(const GlTable& gl) { draw_ring(gl, GL_POINT, GL_POINT); }
+void ring_of_lines(const GlTable& gl) {
+  draw_ring(gl, GL_LINE, GL_LINE);
+}
+void ring_of_points(const GlTable& gl) {
+  draw_ring(gl, GL_POINT, GL_POINT, 90);
+}
 
 void ring_of_lines_culled(const GlTable& gl) {
   gl.Enable(GL_CULL_FACE);
@@ -36,7 +40,7 @@ void draw_open_ring(const GlTable& gl, GLenum front, GLenum back) {
   gl.Enable(GL_DEPTH_TEST);
   gl.PolygonMode(GL_FRONT, front);
   gl.PolygonMode(GL_BACK, back);
-  const Matrix view = look(gl, {.distance = 5.5f, .pitch_deg = 41, .yaw_deg = 14});
+  const Matrix view = look(gl, {.distance = 6.9f, .pitch_deg = 41, .yaw_deg = 14});
   const Surface pipe = half_pipe(0.9f, 1.9f, 7, 14);
   load_model_view(gl, multiply(view, translation(-1, 0.45f, 0)));
   draw_surface(gl, pipe, [&](const Surface::Point& point) { colored(gl, point); });
@@ -44,10 +48,18 @@ void draw_open_ring(const GlTable& gl, GLenum front, GLenum back) {
   draw_surface(gl, pipe, [&](const Surface::Point& point) { colored(gl, point); });
 }
 
-void fill_and_line(const GlTable& gl) { draw_open_ring(gl, GL_FILL, GL_LINE); }
-void line_and_fill(const GlTable& gl) { draw_open_ring(gl, GL_LINE, GL_FILL); }
-void point_and_line(const GlTable& gl) { draw_open_ring(gl, GL_POINT, GL_LINE); }
-void fill_and_point(const GlTable& gl) { draw_open_ring(gl, GL_FILL, GL_POINT); }
+void fill_and_line(const GlTable& gl) {
+  draw_open_ring(gl, GL_FILL, GL_LINE);
+}
+void line_and_fill(const GlTable& gl) {
+  draw_open_ring(gl, GL_LINE, GL_FILL);
+}
+void point_and_line(const GlTable& gl) {
+  draw_open_ring(gl, GL_POINT, GL_LINE);
+}
+void fill_and_point(const GlTable& gl) {
+  draw_open_ring(gl, GL_FILL, GL_POINT);
+}
 
 using Points = std::vector<std::array<float, 2>>;
 const Points zigzag = {{6.3f, 8.6f},  {10.1f, 55.2f}, {19.8f, 5.3f}, {26.4f, 57.9f},
@@ -75,8 +87,12 @@ void all_modes(const GlTable& gl, GLenum polygon_mode) {
   }
 }
 
-void all_modes_as_lines(const GlTable& gl) { all_modes(gl, GL_LINE); }
-void all_modes_as_points(const GlTable& gl) { all_modes(gl, GL_POINT); }
+void all_modes_as_lines(const GlTable& gl) {
+  all_modes(gl, GL_LINE);
+}
+void all_modes_as_points(const GlTable& gl) {
+  all_modes(gl, GL_POINT);
+}
 
 // In the provoking vertex's colour; two-sided lighting picks the face's colours for lines and points too.
 void flat_lit_lines(const GlTable& gl) {
@@ -106,28 +122,64 @@ SceneList polygon_mode_scenes() {
   constexpr auto section = "§3.5.4";
   constexpr auto judge = Judge::lines_and_points;
   return {
-      {.name = "polygon_mode_line", .section = section, .shows = "A ring of lines, its far side visible through the near one.",
-       .judge = judge, .draw = ring_of_lines},
-      {.name = "polygon_mode_line_culled", .section = section, .shows = "The ring of lines without its back faces.", .judge = judge,
+      {.name = "polygon_mode_line",
+       .section = section,
+       .shows = "A ring of lines, its far side visible through the near one.",
+       .judge = judge,
+       .draw = ring_of_lines},
+      {.name = "polygon_mode_line_culled",
+       .section = section,
+       .shows = "The ring of lines without its back faces.",
+       .judge = judge,
        .draw = ring_of_lines_culled},
-      {.name = "polygon_mode_point", .section = section, .shows = "A ring of points.", .judge = judge, .draw = ring_of_points},
-      {.name = "polygon_mode_fill_line", .section = section, .shows = "Half pipes, filled inside, lines outside.", .judge = judge,
+      {.name = "polygon_mode_point",
+       .section = section,
+       .shows = "A ring of points.",
+       .judge = judge,
+       .draw = ring_of_points},
+      {.name = "polygon_mode_fill_line",
+       .section = section,
+       .shows = "Half pipes, filled inside, lines outside.",
+       .judge = judge,
        .draw = fill_and_line},
-      {.name = "polygon_mode_line_fill", .section = section, .shows = "Half pipes, lines inside, filled outside.", .judge = judge,
+      {.name = "polygon_mode_line_fill",
+       .section = section,
+       .shows = "Half pipes, lines inside, filled outside.",
+       .judge = judge,
        .draw = line_and_fill},
-      {.name = "polygon_mode_point_line", .section = section, .shows = "Half pipes, points inside, lines outside.", .judge = judge,
+      {.name = "polygon_mode_point_line",
+       .section = section,
+       .shows = "Half pipes, points inside, lines outside.",
+       .judge = judge,
        .draw = point_and_line},
-      {.name = "polygon_mode_fill_point", .section = section, .shows = "Half pipes, filled inside, points outside.", .judge = judge,
+      {.name = "polygon_mode_fill_point",
+       .section = section,
+       .shows = "Half pipes, filled inside, points outside.",
+       .judge = judge,
        .draw = fill_and_point},
-      {.name = "polygon_mode_line_by_mode", .section = section,
-       .shows = "Quads, quad strip and polygon as lines, without diagonals; above, triangles, strip and fan.", .judge = judge,
-       .width_px = 192, .height_px = 128, .draw = all_modes_as_lines},
-      {.name = "polygon_mode_point_by_mode", .section = section, .shows = "The same as points.", .judge = judge, .width_px = 192,
-       .height_px = 128, .draw = all_modes_as_points},
-      {.name = "polygon_mode_flat_lit", .section = section, .shows = "Flat lit half pipes of lines, orange inside, blue outside.",
-       .judge = judge, .draw = flat_lit_lines},
-      {.name = "polygon_mode_clipped", .section = section,
-       .shows = "A ring of lines cut open by the near plane, with the cut's outline.", .judge = Judge::oracle_only,
+      {.name = "polygon_mode_line_by_mode",
+       .section = section,
+       .shows = "Quads, quad strip and polygon as lines, without diagonals; above, triangles, strip and fan.",
+       .judge = judge,
+       .width_px = 192,
+       .height_px = 128,
+       .draw = all_modes_as_lines},
+      {.name = "polygon_mode_point_by_mode",
+       .section = section,
+       .shows = "The same as points.",
+       .judge = judge,
+       .width_px = 192,
+       .height_px = 128,
+       .draw = all_modes_as_points},
+      {.name = "polygon_mode_flat_lit",
+       .section = section,
+       .shows = "Flat lit half pipes of lines, orange inside, blue outside.",
+       .judge = judge,
+       .draw = flat_lit_lines},
+      {.name = "polygon_mode_clipped",
+       .section = section,
+       .shows = "A ring of lines cut open by the near plane, with the cut's outline.",
+       .judge = Judge::oracle_only,
        .draw = clipped_lines},
   };
 }

@@ -41,7 +41,7 @@ void fans_through_centers(const GlTable& gl) {
   clear_background(gl);
   pixel_space(gl, 256, 256);
   Random random(182);
-  const int rim[16][2] = {{28, 0},  {28, 14},  {28, 28},  {14, 28},  {0, 28},  {-14, 28},  {-28, 28},  {-28, 14},
+  const int rim[16][2] = {{28, 0},  {28, 14},   {28, 28},   {14, 28},   {0, 28},  {-14, 28}, {-28, 28}, {-28, 14},
                           {-28, 0}, {-28, -14}, {-28, -28}, {-14, -28}, {0, -28}, {14, -28}, {28, -28}, {28, -14}};
   gl.ShadeModel(GL_FLAT);
   for (int fan = 0; fan < 16; ++fan) {
@@ -97,7 +97,8 @@ void slivers(const GlTable& gl) {
   Random random(185);
   gl.Begin(GL_TRIANGLES);
   for (int i = 0; i < 150; ++i) {
-    const float x0 = random.range(5, 251), y0 = random.range(5, 251), x1 = random.range(5, 251), y1 = random.range(5, 251);
+    const float x0 = random.range(5, 251), y0 = random.range(5, 251), x1 = random.range(5, 251),
+                y1 = random.range(5, 251);
     color_of(gl, random);
     gl.Vertex2f(x0, y0);
     gl.Vertex2f(x1, y1);
@@ -113,7 +114,8 @@ void slivers_smooth(const GlTable& gl) {
   Random random(186);
   gl.Begin(GL_TRIANGLES);
   for (int i = 0; i < 70; ++i) {
-    const float angle = 0.0897f * static_cast<float>(i), c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+    const float angle = 0.0897f * static_cast<float>(i), c = static_cast<float>(std::cos(angle)),
+                s = static_cast<float>(std::sin(angle));
     color_of(gl, random);
     gl.Vertex2f(128.3f + 12.6f * c, 128.4f + 12.6f * s);
     color_of(gl, random);
@@ -168,8 +170,10 @@ void no_area(const GlTable& gl) {
     color_of(gl, random);
     gl.Begin(GL_TRIANGLES);
     gl.Vertex2f(x + 3.5f, y + 4.5f);
-    if (i % 4 == 0) gl.Vertex2f(x + 3.5f, y + 4.5f);
-    else gl.Vertex2f(x + 15.5f + bends[i % 4], y + 16.5f - bends[i % 4]);
+    if (i % 4 == 0)
+      gl.Vertex2f(x + 3.5f, y + 4.5f);
+    else
+      gl.Vertex2f(x + 15.5f + bends[i % 4], y + 16.5f - bends[i % 4]);
     gl.Vertex2f(x + 27.5f, y + 28.5f);
     gl.End();
   }
@@ -228,7 +232,8 @@ void cull_by_mode(const GlTable& gl) {
   gl.Enable(GL_CULL_FACE);
   Random random(191);
   using Points = std::vector<std::array<float, 2>>;
-  const Points ladder = {{5.3f, 57.2f}, {8.1f, 6.4f}, {22.6f, 58.3f}, {24.4f, 5.2f}, {41.3f, 55.8f}, {39.2f, 8.3f}, {58.7f, 58.1f}, {56.3f, 6.1f}};
+  const Points ladder = {{5.3f, 57.2f},  {8.1f, 6.4f},  {22.6f, 58.3f}, {24.4f, 5.2f},
+                         {41.3f, 55.8f}, {39.2f, 8.3f}, {58.7f, 58.1f}, {56.3f, 6.1f}};
   const Points hexagon = {{58.2f, 31.3f}, {44.6f, 56.1f}, {18.4f, 55.3f}, {5.2f, 30.8f}, {17.6f, 7.4f}, {45.1f, 8.7f}};
   const Points quad = {{6.1f, 7.3f}, {57.2f, 7.3f}, {57.2f, 56.4f}, {6.1f, 56.4f}};
   const GLenum modes[5] = {GL_TRIANGLE_STRIP, GL_QUAD_STRIP, GL_TRIANGLE_FAN, GL_POLYGON, GL_QUADS};
@@ -253,7 +258,8 @@ void rings_culled(const GlTable& gl) {
   for (int i = 0; i < 2; ++i) {
     gl.CullFace(i == 0 ? GL_BACK : GL_FRONT);
     load_model_view(gl, multiply(view, multiply(translation(i == 0 ? -1.5f : 1.5f, 0, 0), rotation(47, 0))));
-    draw_surface(gl, ring, [&](const Surface::Point& point) { gl.Color3f(0.3f + 0.5f * point.u, 0.8f * point.v, 0.45f); });
+    draw_surface(gl, ring,
+                 [&](const Surface::Point& point) { gl.Color3f(0.3f + 0.5f * point.u, 0.8f * point.v, 0.45f); });
   }
 }
 
@@ -317,43 +323,86 @@ void w_from_1_to_60(const GlTable& gl) {
 SceneList polygon_scenes() {
   constexpr auto section = "§3.5.1";
   return {
-      {.name = "shared_edges", .section = section, .shows = "A crumpled sheet of 450 flat triangles without gaps or overlaps.",
+      {.name = "shared_edges",
+       .section = section,
+       .shows = "A crumpled sheet of 450 flat triangles without gaps or overlaps.",
        .draw = shared_edges},
-      {.name = "fans_through_centers", .section = section,
-       .shows = "16 square fans whose hubs and spokes run through pixel centres, each whole.", .draw = fans_through_centers},
-      {.name = "edges_on_centers", .section = section,
-       .shows = "Rectangles of 0 to 9 pixels in both directions, all edges on pixel centres.", .width_px = 128, .height_px = 128,
+      {.name = "fans_through_centers",
+       .section = section,
+       .shows = "16 square fans whose hubs and spokes run through pixel centres, each whole.",
+       .draw = fans_through_centers},
+      {.name = "edges_on_centers",
+       .section = section,
+       .shows = "Rectangles of 0 to 9 pixels in both directions, all edges on pixel centres.",
+       .width_px = 128,
+       .height_px = 128,
        .draw = edges_on_centers},
-      {.name = "corners_on_half_pixels", .section = section,
-       .shows = "256 random triangles with corners at multiples of half a pixel.", .draw = corners_on_half_pixels},
-      {.name = "slivers", .section = section, .shows = "150 needles less than a pixel wide, dashed where no centre lies within.",
+      {.name = "corners_on_half_pixels",
+       .section = section,
+       .shows = "256 random triangles with corners at multiples of half a pixel.",
+       .draw = corners_on_half_pixels},
+      {.name = "slivers",
+       .section = section,
+       .shows = "150 needles less than a pixel wide, dashed where no centre lies within.",
        .draw = slivers},
-      {.name = "slivers_smooth", .section = section, .shows = "A sun of 70 thin rays, each from one colour to another.",
+      {.name = "slivers_smooth",
+       .section = section,
+       .shows = "A sun of 70 thin rays, each from one colour to another.",
        .draw = slivers_smooth},
-      {.name = "tiny_triangles", .section = section, .shows = "Coloured noise: 60,000 triangles smaller than a pixel.",
+      {.name = "tiny_triangles",
+       .section = section,
+       .shows = "Coloured noise: 60,000 triangles smaller than a pixel.",
        .draw = tiny_triangles},
-      {.name = "random_triangles", .section = section, .shows = "300 random smooth triangles that run through each other.",
-       .width_px = 500, .height_px = 333, .draw = random_triangles},
-      {.name = "no_area", .section = section,
-       .shows = "Of 32 triangles the half has no area and is missing; the others are whole.", .width_px = 256, .height_px = 128,
+      {.name = "random_triangles",
+       .section = section,
+       .shows = "300 random smooth triangles that run through each other.",
+       .width_px = 500,
+       .height_px = 333,
+       .draw = random_triangles},
+      {.name = "no_area",
+       .section = section,
+       .shows = "Of 32 triangles the half has no area and is missing; the others are whole.",
+       .width_px = 256,
+       .height_px = 128,
        .draw = no_area},
-      {.name = "closed_mesh_once", .section = section,
-       .shows = "A ball of 1,200 flat triangles without depth test; no back face, gap or double hit.", .draw = closed_mesh_once},
-      {.name = "cull_and_front_face", .section = section,
-       .shows = "A yellow counterclockwise and a blue clockwise triangle in each cell: both, one, the other, none; below, fronts exchanged.",
-       .width_px = 256, .height_px = 128, .draw = cull_and_front_face},
-      {.name = "cull_by_mode", .section = section,
-       .shows = "Strip, quad strip, fan, polygon and quad, whole under culling of back faces; below, of clockwise fronts.",
-       .width_px = 320, .height_px = 128, .draw = cull_by_mode},
-      {.name = "rings_culled", .section = section, .shows = "Left a ring without its back faces, right one of back faces alone.",
-       .width_px = 400, .height_px = 200, .draw = rings_culled},
-      {.name = "perspective_floor", .section = section,
-       .shows = "A floor, red and green before, blue and white only near the horizon.", .draw = perspective_floor},
-      {.name = "perspective_corridor", .section = section,
-       .shows = "A striped corridor; every stripe keeps its near colour until deep into the picture.", .width_px = 384,
-       .height_px = 256, .draw = perspective_corridor},
-      {.name = "w_from_1_to_60", .section = section,
-       .shows = "A triangle that is almost wholly the red of its nearest corner.", .draw = w_from_1_to_60},
+      {.name = "closed_mesh_once",
+       .section = section,
+       .shows = "A ball of 1,200 flat triangles without depth test; no back face, gap or double hit.",
+       .draw = closed_mesh_once},
+      {.name = "cull_and_front_face",
+       .section = section,
+       .shows = "A yellow counterclockwise and a blue clockwise triangle in each cell: both, one, the other, none; "
+                "below, fronts exchanged.",
+       .width_px = 256,
+       .height_px = 128,
+       .draw = cull_and_front_face},
+      {.name = "cull_by_mode",
+       .section = section,
+       .shows =
+           "Strip, quad strip, fan, polygon and quad, whole under culling of back faces; below, of clockwise fronts.",
+       .width_px = 320,
+       .height_px = 128,
+       .draw = cull_by_mode},
+      {.name = "rings_culled",
+       .section = section,
+       .shows = "Left a ring without its back faces, right one of back faces alone.",
+       .width_px = 400,
+       .height_px = 200,
+       .draw = rings_culled},
+      {.name = "perspective_floor",
+       .section = section,
+       .shows = "A floor, red and green before, blue and white only near the horizon.",
+       .draw = perspective_floor},
+      {.name = "perspective_corridor",
+       .section = section,
+       .shows = "A striped corridor; every stripe keeps its near colour until deep into the picture.",
+       .width_px = 384,
+       .height_px = 256,
+       .draw = perspective_corridor},
+      {.name = "w_from_1_to_60",
+       .section = section,
+       .shows = "A triangle that is almost wholly the red of its nearest corner.",
+       .draw = w_from_1_to_60},
   };
 }
 

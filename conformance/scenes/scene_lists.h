@@ -5,26 +5,26 @@
 
 namespace gouraud::conformance {
 
-SceneList begin_end_scenes();         // §2.6.1
-SceneList large_begin_end_scenes();   // §2.6.1, tens of thousands of vertices
-SceneList vertex_scenes();            // §2.7
-SceneList viewport_scenes();          // §2.11.1
-SceneList matrix_scenes();            // §2.11.2
-SceneList normal_scenes();            // §2.11.3
-SceneList clipping_scenes();          // §2.12
-SceneList bad_input_scenes();         // §2.12, NaN and infinity
-SceneList lighting_scenes();          // §2.14.1, eq 2.1 term by term
-SceneList spot_light_scenes();        // §2.14.1, attenuation and spot lights
-SceneList light_parameter_scenes();   // §2.14.2
-SceneList color_material_scenes();    // §2.14.3
-SceneList shading_scenes();           // §2.14.6, §2.14.7
-SceneList point_scenes();             // §3.3
-SceneList line_scenes();              // §3.4
-SceneList polygon_scenes();           // §3.5.1
-SceneList polygon_mode_scenes();      // §3.5.4
-SceneList color_sum_scenes();         // §3.9
-SceneList scissor_scenes();           // §4.1.2
-SceneList depth_scenes();             // §4.1.6
-SceneList mask_and_clear_scenes();    // §4.2.2, §4.2.3
+SceneList begin_end_scenes();        // §2.6.1
+SceneList large_begin_end_scenes();  // §2.6.1, tens of thousands of vertices
+SceneList vertex_scenes();           // §2.7
+SceneList viewport_scenes();         // §2.11.1
+SceneList matrix_scenes();           // §2.11.2
+SceneList normal_scenes();           // §2.11.3
+SceneList clipping_scenes();         // §2.12
+SceneList bad_input_scenes();        // §2.12, NaN and infinity
+SceneList lighting_scenes();         // §2.14.1, eq 2.1 term by term
+SceneList spot_light_scenes();       // §2.14.1, attenuation and spot lights
+SceneList light_parameter_scenes();  // §2.14.2
+SceneList color_material_scenes();   // §2.14.3
+SceneList shading_scenes();          // §2.14.6, §2.14.7
+SceneList point_scenes();            // §3.3
+SceneList line_scenes();             // §3.4
+SceneList polygon_scenes();          // §3.5.1
+SceneList polygon_mode_scenes();     // §3.5.4
+SceneList color_sum_scenes();        // §3.9
+SceneList scissor_scenes();          // §4.1.2
+SceneList depth_scenes();            // §4.1.6
+SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
 
 }  // namespace gouraud::conformance

@@ -17,8 +17,8 @@ void scissor_boxes(const GlTable& gl) {
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_SCISSOR_TEST);
   look(gl, {.distance = 3.9f, .pitch_deg = 52});
-  const int boxes[12][4] = {{20, 30, 61, 47},  {90, 11, 33, 80},   {140, 25, 91, 9},   {140, 44, 1, 60},
-                            {152, 44, 90, 60}, {-40, 110, 70, 33}, {40, 120, 90, 0},   {60, 118, 0, 40},
+  const int boxes[12][4] = {{20, 30, 61, 47},  {90, 11, 33, 80},    {140, 25, 91, 9},   {140, 44, 1, 60},
+                            {152, 44, 90, 60}, {-40, 110, 70, 33},  {40, 120, 90, 0},   {60, 118, 0, 40},
                             {70, 110, 50, 50}, {200, 115, 300, 90}, {30, 170, 150, 21}, {11, 200, 170, 400}};
   for (const auto& box : boxes) {
     gl.Scissor(box[0], box[1], box[2], box[3]);
@@ -57,7 +57,8 @@ void scissored_depth_clear(const GlTable& gl) {
   draw_ring(gl);
 }
 
-// A box that is set but not enabled does nothing; enabled, it holds until it is disabled; viewports are independent of it.
+// A box that is set but not enabled does nothing; enabled, it holds until it is disabled; viewports are independent of
+// it.
 void scissor_and_viewport(const GlTable& gl) {
   clear_background(gl);
   gl.Enable(GL_DEPTH_TEST);
@@ -104,18 +105,28 @@ void scissored_lines_and_points(const GlTable& gl) {
 SceneList scissor_scenes() {
   constexpr auto section = "§4.1.2";
   return {
-      {.name = "scissor_boxes", .section = section, .shows = "A ring seen through ten windows; two empty boxes show nothing.",
+      {.name = "scissor_boxes",
+       .section = section,
+       .shows = "A ring seen through ten windows; two empty boxes show nothing.",
        .draw = scissor_boxes},
-      {.name = "scissor_clears", .section = section, .shows = "A chessboard of growing rectangles made by glClear alone.",
+      {.name = "scissor_clears",
+       .section = section,
+       .shows = "A chessboard of growing rectangles made by glClear alone.",
        .draw = scissored_clears},
-      {.name = "scissor_depth_clear", .section = section,
+      {.name = "scissor_depth_clear",
+       .section = section,
        .shows = "A ring with a missing horizontal band, and a vertical band in which its far half is missing.",
        .draw = scissored_depth_clear},
-      {.name = "scissor_and_viewport", .section = section,
-       .shows = "Above, a whole ring and the upper slice of one; below, the corner of a large one and a whole small one.",
+      {.name = "scissor_and_viewport",
+       .section = section,
+       .shows =
+           "Above, a whole ring and the upper slice of one; below, the corner of a large one and a whole small one.",
        .draw = scissor_and_viewport},
-      {.name = "scissor_lines_and_points", .section = section, .shows = "Random lines and points cut to a rectangle.",
-       .judge = Judge::lines_and_points, .draw = scissored_lines_and_points},
+      {.name = "scissor_lines_and_points",
+       .section = section,
+       .shows = "Random lines and points cut to a rectangle.",
+       .judge = Judge::lines_and_points,
+       .draw = scissored_lines_and_points},
   };
 }
 

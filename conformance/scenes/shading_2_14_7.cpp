@@ -47,9 +47,14 @@ const Points octagon = {{58.2f, 41.3f}, {42.6f, 57.1f}, {21.4f, 58.3f}, {6.2f, 4
 const Points two_quads = {{5.2f, 6.3f},   {28.7f, 6.3f},  {28.7f, 57.4f}, {5.2f, 57.4f},
                           {35.3f, 12.6f}, {58.1f, 30.2f}, {50.7f, 58.3f}, {27.9f, 40.7f}};
 // Vertex i has the colour i of these, so that the picture tells who provoked.
-constexpr std::array<std::array<float, 3>, 8> palette = {{{0.8f, 0.2f, 0.2f}, {0.2f, 0.8f, 0.2f}, {0.2f, 0.2f, 0.8f},
-                                                          {0.8f, 0.8f, 0.2f}, {0.8f, 0.2f, 0.8f}, {0.2f, 0.8f, 0.8f},
-                                                          {0.8f, 0.8f, 0.8f}, {0.8f, 0.4f, 0}}};
+constexpr std::array<std::array<float, 3>, 8> palette = {{{0.8f, 0.2f, 0.2f},
+                                                          {0.2f, 0.8f, 0.2f},
+                                                          {0.2f, 0.2f, 0.8f},
+                                                          {0.8f, 0.8f, 0.2f},
+                                                          {0.8f, 0.2f, 0.8f},
+                                                          {0.2f, 0.8f, 0.8f},
+                                                          {0.8f, 0.8f, 0.8f},
+                                                          {0.8f, 0.4f, 0}}};
 
 void draw(const GlTable& gl, GLenum mode, const Points& points, float x, float y) {
   gl.Begin(mode);
@@ -122,8 +127,13 @@ void flat_clipped(const GlTable& gl) {
   gl.ShadeModel(GL_FLAT);
   Random random(151);
   const auto star = [&](GLenum mode, float x, float y) {
-    constexpr std::array<std::array<float, 2>, 7> rim = {{{0.73f, 0.11f}, {0.42f, 0.61f}, {-0.19f, 0.74f}, {-0.68f, 0.27f},
-                                                          {-0.57f, -0.42f}, {-0.07f, -0.71f}, {0.51f, -0.53f}}};
+    constexpr std::array<std::array<float, 2>, 7> rim = {{{0.73f, 0.11f},
+                                                          {0.42f, 0.61f},
+                                                          {-0.19f, 0.74f},
+                                                          {-0.68f, 0.27f},
+                                                          {-0.57f, -0.42f},
+                                                          {-0.07f, -0.71f},
+                                                          {0.51f, -0.53f}}};
     gl.Begin(mode);
     for (const auto& [px, py] : rim) {
       color_of(gl, random);
@@ -145,7 +155,8 @@ void flat_and_smooth_alternate(const GlTable& gl) {
     gl.ShadeModel((i + i / 8) % 2 == 0 ? GL_FLAT : GL_SMOOTH);
     const float x = static_cast<float>(32 * (i % 8)), y = static_cast<float>(32 * (i / 8));
     gl.Begin(GL_TRIANGLE_STRIP);
-    for (const auto& [px, py] : std::array<std::array<float, 2>, 4>{{{2.3f, 2.7f}, {29.6f, 3.2f}, {3.1f, 28.8f}, {30.2f, 29.4f}}}) {
+    for (const auto& [px, py] :
+         std::array<std::array<float, 2>, 4>{{{2.3f, 2.7f}, {29.6f, 3.2f}, {3.1f, 28.8f}, {30.2f, 29.4f}}}) {
       color_of(gl, random);
       gl.Vertex2f(x + px, y + py);
     }
@@ -158,24 +169,44 @@ void flat_and_smooth_alternate(const GlTable& gl) {
 SceneList shading_scenes() {
   constexpr auto clamping = "§2.14.6", flat = "§2.14.7";
   return {
-      {.name = "color_clamping", .section = clamping,
-       .shows = "Three ramps of out-of-range colours: clamped at their ends, straight between them; the lowest two alike.",
-       .width_px = 256, .height_px = 192, .draw = color_clamping},
-      {.name = "overbright_lights", .section = clamping,
-       .shows = "A ring in glaring yellow and blue: lights above 1 and below 0, clamped at the vertices.", .draw = overbright_lights},
-      {.name = "flat_filled", .section = flat,
-       .shows = "Flat triangles, strip, fan; quads, quad strip, polygon: each piece in the colour of its provoking vertex.",
-       .width_px = 192, .height_px = 128, .draw = flat_filled},
-      {.name = "flat_lines_and_points", .section = flat,
-       .shows = "Flat points, lines, strip and loop: each segment in the colour of its end.", .judge = Judge::lines_and_points,
-       .width_px = 256, .height_px = 64, .draw = flat_lines_and_points},
+      {.name = "color_clamping",
+       .section = clamping,
+       .shows =
+           "Three ramps of out-of-range colours: clamped at their ends, straight between them; the lowest two alike.",
+       .width_px = 256,
+       .height_px = 192,
+       .draw = color_clamping},
+      {.name = "overbright_lights",
+       .section = clamping,
+       .shows = "A ring in glaring yellow and blue: lights above 1 and below 0, clamped at the vertices.",
+       .draw = overbright_lights},
+      {.name = "flat_filled",
+       .section = flat,
+       .shows =
+           "Flat triangles, strip, fan; quads, quad strip, polygon: each piece in the colour of its provoking vertex.",
+       .width_px = 192,
+       .height_px = 128,
+       .draw = flat_filled},
+      {.name = "flat_lines_and_points",
+       .section = flat,
+       .shows = "Flat points, lines, strip and loop: each segment in the colour of its end.",
+       .judge = Judge::lines_and_points,
+       .width_px = 256,
+       .height_px = 64,
+       .draw = flat_lines_and_points},
       {.name = "flat_lit", .section = flat, .shows = "A faceted blue ring with highlights.", .draw = flat_lit},
-      {.name = "flat_two_sided", .section = flat, .shows = "Faceted half pipes, orange inside and green outside.",
+      {.name = "flat_two_sided",
+       .section = flat,
+       .shows = "Faceted half pipes, orange inside and green outside.",
        .draw = flat_two_sided},
-      {.name = "flat_clipped", .section = flat,
-       .shows = "Flat polygons, a fan and a strip cut by the picture's corners, in whole colours.", .draw = flat_clipped},
-      {.name = "flat_and_smooth_alternate", .section = flat,
-       .shows = "A chessboard of flat and smooth squares.", .draw = flat_and_smooth_alternate},
+      {.name = "flat_clipped",
+       .section = flat,
+       .shows = "Flat polygons, a fan and a strip cut by the picture's corners, in whole colours.",
+       .draw = flat_clipped},
+      {.name = "flat_and_smooth_alternate",
+       .section = flat,
+       .shows = "A chessboard of flat and smooth squares.",
+       .draw = flat_and_smooth_alternate},
   };
 }
 

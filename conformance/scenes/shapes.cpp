@@ -9,10 +9,14 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-float rounded(double value) { return static_cast<float>(value); }
+float rounded(double value) {
+  return static_cast<float>(value);
+}
 
 // Angle of a step of a closed circle; the last step is the first one again, bit for bit.
-double circle_angle(int step, int steps) { return 2 * pi * (step % steps) / steps; }
+double circle_angle(int step, int steps) {
+  return 2 * pi * (step % steps) / steps;
+}
 
 Surface make_surface(int rows, int columns, const std::function<Surface::Point(int row, int column)>& point) {
   Surface surface{.rows = rows, .columns = columns, .points = {}};
@@ -48,9 +52,13 @@ Matrix multiply(const Matrix& left, const Matrix& right) {
   return product;
 }
 
-Matrix translation(float x, float y, float z) { return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1}; }
+Matrix translation(float x, float y, float z) {
+  return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1};
+}
 
-Matrix scaling(float x, float y, float z) { return {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1}; }
+Matrix scaling(float x, float y, float z) {
+  return {x, 0, 0, 0, 0, y, 0, 0, 0, 0, z, 0, 0, 0, 0, 1};
+}
 
 Matrix rotation(float angle_deg, int axis) {
   const double angle = angle_deg * pi / 180;
@@ -194,7 +202,9 @@ void draw_rectangle(const GlTable& gl, float left, float bottom, float right, fl
   gl.End();
 }
 
-void light(const GlTable& gl, GLenum light, GLenum pname, const Four& value) { gl.Lightfv(light, pname, value.data()); }
+void light(const GlTable& gl, GLenum light, GLenum pname, const Four& value) {
+  gl.Lightfv(light, pname, value.data());
+}
 
 void material(const GlTable& gl, GLenum face, GLenum pname, const Four& value) {
   gl.Materialfv(face, pname, value.data());

@@ -1,5 +1,5 @@
-// Shared parts of scenes: numbers, matrices, meshes. Everything is computed in double and rounded once to float, so that
-// all drivers on all hosts get the same numbers.
+// Shared parts of scenes: numbers, matrices, meshes. Everything is computed in double and rounded once to float, so
+// that all drivers on all hosts get the same numbers.
 #pragma once
 
 #include <array>

@@ -111,7 +111,10 @@ void spot_with_attenuation(const GlTable& gl) {
   material(gl, GL_FRONT, GL_SPECULAR, {0.6f, 0.6f, 0.6f, 1});
   gl.Materialf(GL_FRONT, GL_SHININESS, 22);
   set(gl, GL_LIGHT0,
-      {.position = {1.1f, 1.7f, -3.6f, 1}, .direction = {-0.7f, -1.3f, -1.1f}, .cutoff_deg = 34.3f, .exponent = 9,
+      {.position = {1.1f, 1.7f, -3.6f, 1},
+       .direction = {-0.7f, -1.3f, -1.1f},
+       .cutoff_deg = 34.3f,
+       .exponent = 9,
        .attenuation = {0.5f, 0.2f, 0.06f}});
   const Matrix view = look(gl, {.distance = 5.5f, .pitch_deg = 33, .yaw_deg = 30});
   load_model_view(gl, multiply(view, translation(0, -0.5f, 0)));
@@ -152,27 +155,48 @@ void spots_under_model_view(const GlTable& gl) {
 SceneList spot_light_scenes() {
   constexpr auto section = "§2.14.1";
   return {
-      {.name = "attenuation_kinds", .section = section,
-       .shows = "A lamp over six floors: constant 1, constant 2.3, linear; above them quadratic, all three, strongly quadratic.",
-       .width_px = 390, .height_px = 260, .draw = attenuation_kinds},
-      {.name = "attenuation_directional", .section = section,
-       .shows = "A bright ring: attenuation factors of 9 do nothing to a directional light.", .draw = attenuation_directional},
-      {.name = "spot_cutoffs", .section = section,
-       .shows = "Six spots: cones of 7.3, 15.1 and 30.2 degrees; above them 45.3, 60.4 and 90.", .width_px = 390, .height_px = 260,
+      {.name = "attenuation_kinds",
+       .section = section,
+       .shows = "A lamp over six floors: constant 1, constant 2.3, linear; above them quadratic, all three, strongly "
+                "quadratic.",
+       .width_px = 390,
+       .height_px = 260,
+       .draw = attenuation_kinds},
+      {.name = "attenuation_directional",
+       .section = section,
+       .shows = "A bright ring: attenuation factors of 9 do nothing to a directional light.",
+       .draw = attenuation_directional},
+      {.name = "spot_cutoffs",
+       .section = section,
+       .shows = "Six spots: cones of 7.3, 15.1 and 30.2 degrees; above them 45.3, 60.4 and 90.",
+       .width_px = 390,
+       .height_px = 260,
        .draw = spot_cutoffs},
-      {.name = "spot_exponents", .section = section,
-       .shows = "Six equal cones with exponents 0, 0.7, 3; above them 13.6, 64, 128: ever more concentrated.", .width_px = 390,
-       .height_px = 260, .draw = spot_exponents},
-      {.name = "spot_directions", .section = section,
-       .shows = "Spots to the right, the upper left, the lower left; above them one turned away, one that shines everywhere, a grazing one.",
-       .width_px = 390, .height_px = 260, .draw = spot_directions},
-      {.name = "spot_with_attenuation", .section = section,
+      {.name = "spot_exponents",
+       .section = section,
+       .shows = "Six equal cones with exponents 0, 0.7, 3; above them 13.6, 64, 128: ever more concentrated.",
+       .width_px = 390,
+       .height_px = 260,
+       .draw = spot_exponents},
+      {.name = "spot_directions",
+       .section = section,
+       .shows = "Spots to the right, the upper left, the lower left; above them one turned away, one that shines "
+                "everywhere, a grazing one.",
+       .width_px = 390,
+       .height_px = 260,
+       .draw = spot_directions},
+      {.name = "spot_with_attenuation",
+       .section = section,
        .shows = "An attenuated spot from the upper right on a ball over a floor, its pool of light fading to the left.",
        .draw = spot_with_attenuation},
-      {.name = "spots_overlapping", .section = section, .shows = "Red, green and blue pools of light that mix in the middle.",
+      {.name = "spots_overlapping",
+       .section = section,
+       .shows = "Red, green and blue pools of light that mix in the middle.",
        .draw = three_colored_spots},
-      {.name = "spots_under_model_view", .section = section,
-       .shows = "Four pools of light around the middle of a floor, placed by four model-view matrices.", .draw = spots_under_model_view},
+      {.name = "spots_under_model_view",
+       .section = section,
+       .shows = "Four pools of light around the middle of a floor, placed by four model-view matrices.",
+       .draw = spots_under_model_view},
   };
 }
 

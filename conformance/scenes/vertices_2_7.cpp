@@ -41,14 +41,22 @@ void vertex_2(const GlTable& gl, const Corner& c, int form) {
   const std::array f = {to<GLfloat>(c.x), to<GLfloat>(c.y)};
   const std::array d = {to<GLdouble>(c.x), to<GLdouble>(c.y)};
   switch (form) {
-    case 0: return gl.Vertex2s(s[0], s[1]);
-    case 1: return gl.Vertex2i(i[0], i[1]);
-    case 2: return gl.Vertex2f(f[0], f[1]);
-    case 3: return gl.Vertex2d(d[0], d[1]);
-    case 4: return gl.Vertex2sv(s.data());
-    case 5: return gl.Vertex2iv(i.data());
-    case 6: return gl.Vertex2fv(f.data());
-    default: return gl.Vertex2dv(d.data());
+    case 0:
+      return gl.Vertex2s(s[0], s[1]);
+    case 1:
+      return gl.Vertex2i(i[0], i[1]);
+    case 2:
+      return gl.Vertex2f(f[0], f[1]);
+    case 3:
+      return gl.Vertex2d(d[0], d[1]);
+    case 4:
+      return gl.Vertex2sv(s.data());
+    case 5:
+      return gl.Vertex2iv(i.data());
+    case 6:
+      return gl.Vertex2fv(f.data());
+    default:
+      return gl.Vertex2dv(d.data());
   }
 }
 
@@ -58,14 +66,22 @@ void vertex_3(const GlTable& gl, const Corner& c, int form) {
   const std::array f = {to<GLfloat>(c.x), to<GLfloat>(c.y), to<GLfloat>(c.z)};
   const std::array d = {to<GLdouble>(c.x), to<GLdouble>(c.y), to<GLdouble>(c.z)};
   switch (form) {
-    case 0: return gl.Vertex3s(s[0], s[1], s[2]);
-    case 1: return gl.Vertex3i(i[0], i[1], i[2]);
-    case 2: return gl.Vertex3f(f[0], f[1], f[2]);
-    case 3: return gl.Vertex3d(d[0], d[1], d[2]);
-    case 4: return gl.Vertex3sv(s.data());
-    case 5: return gl.Vertex3iv(i.data());
-    case 6: return gl.Vertex3fv(f.data());
-    default: return gl.Vertex3dv(d.data());
+    case 0:
+      return gl.Vertex3s(s[0], s[1], s[2]);
+    case 1:
+      return gl.Vertex3i(i[0], i[1], i[2]);
+    case 2:
+      return gl.Vertex3f(f[0], f[1], f[2]);
+    case 3:
+      return gl.Vertex3d(d[0], d[1], d[2]);
+    case 4:
+      return gl.Vertex3sv(s.data());
+    case 5:
+      return gl.Vertex3iv(i.data());
+    case 6:
+      return gl.Vertex3fv(f.data());
+    default:
+      return gl.Vertex3dv(d.data());
   }
 }
 
@@ -76,14 +92,22 @@ void vertex_4(const GlTable& gl, const Corner& c, int form) {
   const std::array f = {to<GLfloat>(i[0]), to<GLfloat>(i[1]), to<GLfloat>(i[2]), to<GLfloat>(i[3])};
   const std::array d = {to<GLdouble>(i[0]), to<GLdouble>(i[1]), to<GLdouble>(i[2]), to<GLdouble>(i[3])};
   switch (form) {
-    case 0: return gl.Vertex4s(s[0], s[1], s[2], s[3]);
-    case 1: return gl.Vertex4i(i[0], i[1], i[2], i[3]);
-    case 2: return gl.Vertex4f(f[0], f[1], f[2], f[3]);
-    case 3: return gl.Vertex4d(d[0], d[1], d[2], d[3]);
-    case 4: return gl.Vertex4sv(s.data());
-    case 5: return gl.Vertex4iv(i.data());
-    case 6: return gl.Vertex4fv(f.data());
-    default: return gl.Vertex4dv(d.data());
+    case 0:
+      return gl.Vertex4s(s[0], s[1], s[2], s[3]);
+    case 1:
+      return gl.Vertex4i(i[0], i[1], i[2], i[3]);
+    case 2:
+      return gl.Vertex4f(f[0], f[1], f[2], f[3]);
+    case 3:
+      return gl.Vertex4d(d[0], d[1], d[2], d[3]);
+    case 4:
+      return gl.Vertex4sv(s.data());
+    case 5:
+      return gl.Vertex4iv(i.data());
+    case 6:
+      return gl.Vertex4fv(f.data());
+    default:
+      return gl.Vertex4dv(d.data());
   }
 }
 
@@ -96,16 +120,20 @@ void vertex_forms(const GlTable& gl) {
   gl.MatrixMode(GL_MODELVIEW);
   gl.Enable(GL_DEPTH_TEST);
   draw_cells(gl, 24, [&](const Corner& corner, int form) {
-    if (form < 8) vertex_2(gl, corner, form);
-    else if (form < 16) vertex_3(gl, corner, form - 8);
-    else vertex_4(gl, corner, form - 16);
+    if (form < 8)
+      vertex_2(gl, corner, form);
+    else if (form < 16)
+      vertex_3(gl, corner, form - 8);
+    else
+      vertex_4(gl, corner, form - 16);
   });
 }
 
 struct Rgba {
   double red, green, blue, alpha;  ///< 0 .. 1
 };
-constexpr std::array<Rgba, 3> corner_colors = {{{0.91, 0.17, 0.23, 0.83}, {0.12, 0.77, 0.36, 0.59}, {0.27, 0.33, 0.94, 1}}};
+constexpr std::array<Rgba, 3> corner_colors = {
+    {{0.91, 0.17, 0.23, 0.83}, {0.12, 0.77, 0.36, 0.59}, {0.27, 0.33, 0.94, 1}}};
 
 /// `highest` is what stands for 1; integers are truncated.
 template <class T>
@@ -125,22 +153,38 @@ void color_3(const GlTable& gl, const Rgba& color, int form) {
   const auto us = scaled<GLushort>(color, 65535);
   const auto ui = scaled<GLuint>(color, 4294967295.0);
   switch (form) {
-    case 0: return gl.Color3b(b[0], b[1], b[2]);
-    case 1: return gl.Color3s(s[0], s[1], s[2]);
-    case 2: return gl.Color3i(i[0], i[1], i[2]);
-    case 3: return gl.Color3f(f[0], f[1], f[2]);
-    case 4: return gl.Color3d(d[0], d[1], d[2]);
-    case 5: return gl.Color3ub(ub[0], ub[1], ub[2]);
-    case 6: return gl.Color3us(us[0], us[1], us[2]);
-    case 7: return gl.Color3ui(ui[0], ui[1], ui[2]);
-    case 8: return gl.Color3bv(b.data());
-    case 9: return gl.Color3sv(s.data());
-    case 10: return gl.Color3iv(i.data());
-    case 11: return gl.Color3fv(f.data());
-    case 12: return gl.Color3dv(d.data());
-    case 13: return gl.Color3ubv(ub.data());
-    case 14: return gl.Color3usv(us.data());
-    default: return gl.Color3uiv(ui.data());
+    case 0:
+      return gl.Color3b(b[0], b[1], b[2]);
+    case 1:
+      return gl.Color3s(s[0], s[1], s[2]);
+    case 2:
+      return gl.Color3i(i[0], i[1], i[2]);
+    case 3:
+      return gl.Color3f(f[0], f[1], f[2]);
+    case 4:
+      return gl.Color3d(d[0], d[1], d[2]);
+    case 5:
+      return gl.Color3ub(ub[0], ub[1], ub[2]);
+    case 6:
+      return gl.Color3us(us[0], us[1], us[2]);
+    case 7:
+      return gl.Color3ui(ui[0], ui[1], ui[2]);
+    case 8:
+      return gl.Color3bv(b.data());
+    case 9:
+      return gl.Color3sv(s.data());
+    case 10:
+      return gl.Color3iv(i.data());
+    case 11:
+      return gl.Color3fv(f.data());
+    case 12:
+      return gl.Color3dv(d.data());
+    case 13:
+      return gl.Color3ubv(ub.data());
+    case 14:
+      return gl.Color3usv(us.data());
+    default:
+      return gl.Color3uiv(ui.data());
   }
 }
 
@@ -154,22 +198,38 @@ void color_4(const GlTable& gl, const Rgba& color, int form) {
   const auto us = scaled<GLushort>(color, 65535);
   const auto ui = scaled<GLuint>(color, 4294967295.0);
   switch (form) {
-    case 0: return gl.Color4b(b[0], b[1], b[2], b[3]);
-    case 1: return gl.Color4s(s[0], s[1], s[2], s[3]);
-    case 2: return gl.Color4i(i[0], i[1], i[2], i[3]);
-    case 3: return gl.Color4f(f[0], f[1], f[2], f[3]);
-    case 4: return gl.Color4d(d[0], d[1], d[2], d[3]);
-    case 5: return gl.Color4ub(ub[0], ub[1], ub[2], ub[3]);
-    case 6: return gl.Color4us(us[0], us[1], us[2], us[3]);
-    case 7: return gl.Color4ui(ui[0], ui[1], ui[2], ui[3]);
-    case 8: return gl.Color4bv(b.data());
-    case 9: return gl.Color4sv(s.data());
-    case 10: return gl.Color4iv(i.data());
-    case 11: return gl.Color4fv(f.data());
-    case 12: return gl.Color4dv(d.data());
-    case 13: return gl.Color4ubv(ub.data());
-    case 14: return gl.Color4usv(us.data());
-    default: return gl.Color4uiv(ui.data());
+    case 0:
+      return gl.Color4b(b[0], b[1], b[2], b[3]);
+    case 1:
+      return gl.Color4s(s[0], s[1], s[2], s[3]);
+    case 2:
+      return gl.Color4i(i[0], i[1], i[2], i[3]);
+    case 3:
+      return gl.Color4f(f[0], f[1], f[2], f[3]);
+    case 4:
+      return gl.Color4d(d[0], d[1], d[2], d[3]);
+    case 5:
+      return gl.Color4ub(ub[0], ub[1], ub[2], ub[3]);
+    case 6:
+      return gl.Color4us(us[0], us[1], us[2], us[3]);
+    case 7:
+      return gl.Color4ui(ui[0], ui[1], ui[2], ui[3]);
+    case 8:
+      return gl.Color4bv(b.data());
+    case 9:
+      return gl.Color4sv(s.data());
+    case 10:
+      return gl.Color4iv(i.data());
+    case 11:
+      return gl.Color4fv(f.data());
+    case 12:
+      return gl.Color4dv(d.data());
+    case 13:
+      return gl.Color4ubv(ub.data());
+    case 14:
+      return gl.Color4usv(us.data());
+    default:
+      return gl.Color4uiv(ui.data());
   }
 }
 
@@ -178,8 +238,10 @@ void color_forms(const GlTable& gl) {
   pixel_space(gl, 256, 256);
   draw_cells(gl, 32, [&](const Corner& corner, int form) {
     const Rgba& color = corner_colors[static_cast<std::size_t>(&corner - corners.data())];
-    if (form < 16) color_3(gl, color, form);
-    else color_4(gl, color, form - 16);
+    if (form < 16)
+      color_3(gl, color, form);
+    else
+      color_4(gl, color, form - 16);
     gl.Vertex2i(corner.x, corner.y);
   });
 }
@@ -214,16 +276,36 @@ void normal_forms(const GlTable& gl) {
     const auto d = scaled<GLdouble>(normal, 1);
     material(gl, GL_FRONT, GL_DIFFUSE, {0.8f, 0.09f * static_cast<float>(form), 0.35f, 1});
     switch (form) {
-      case 0: gl.Normal3b(b[0], b[1], b[2]); break;
-      case 1: gl.Normal3s(s[0], s[1], s[2]); break;
-      case 2: gl.Normal3i(i[0], i[1], i[2]); break;
-      case 3: gl.Normal3f(f[0], f[1], f[2]); break;
-      case 4: gl.Normal3d(d[0], d[1], d[2]); break;
-      case 5: gl.Normal3bv(b.data()); break;
-      case 6: gl.Normal3sv(s.data()); break;
-      case 7: gl.Normal3iv(i.data()); break;
-      case 8: gl.Normal3fv(f.data()); break;
-      default: gl.Normal3dv(d.data()); break;
+      case 0:
+        gl.Normal3b(b[0], b[1], b[2]);
+        break;
+      case 1:
+        gl.Normal3s(s[0], s[1], s[2]);
+        break;
+      case 2:
+        gl.Normal3i(i[0], i[1], i[2]);
+        break;
+      case 3:
+        gl.Normal3f(f[0], f[1], f[2]);
+        break;
+      case 4:
+        gl.Normal3d(d[0], d[1], d[2]);
+        break;
+      case 5:
+        gl.Normal3bv(b.data());
+        break;
+      case 6:
+        gl.Normal3sv(s.data());
+        break;
+      case 7:
+        gl.Normal3iv(i.data());
+        break;
+      case 8:
+        gl.Normal3fv(f.data());
+        break;
+      default:
+        gl.Normal3dv(d.data());
+        break;
     }
     gl.Vertex2i(corner.x, corner.y);
   });
@@ -234,18 +316,29 @@ void normal_forms(const GlTable& gl) {
 SceneList vertex_scenes() {
   constexpr auto section = "§2.7";
   return {
-      {.name = "vertex_forms", .section = section,
-       .shows = "24 triangles of equal shape, each from another form of glVertex.", .width_px = 256, .height_px = 176,
+      {.name = "vertex_forms",
+       .section = section,
+       .shows = "24 triangles of equal shape, each from another form of glVertex.",
+       .width_px = 256,
+       .height_px = 176,
        .draw = vertex_forms},
-      {.name = "color_forms", .section = section,
+      {.name = "color_forms",
+       .section = section,
        .shows = "32 triangles with the same red, green and blue corners, each from another form of glColor.",
        .draw = color_forms},
-      {.name = "signed_color_range", .section = section,
-       .shows = "A ramp of all signed bytes (top) and of 256 shorts (bottom): red dark in the left half, green in the right.",
-       .width_px = 256, .height_px = 128, .draw = signed_color_range},
-      {.name = "normal_forms", .section = section,
+      {.name = "signed_color_range",
+       .section = section,
+       .shows = "A ramp of all signed bytes (top) and of 256 shorts (bottom): red dark in the left half, green in the "
+                "right.",
+       .width_px = 256,
+       .height_px = 128,
+       .draw = signed_color_range},
+      {.name = "normal_forms",
+       .section = section,
        .shows = "Ten triangles lit alike by normals from the ten forms of glNormal, from red to yellow.",
-       .width_px = 256, .height_px = 88, .draw = normal_forms},
+       .width_px = 256,
+       .height_px = 88,
+       .draw = normal_forms},
   };
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 /// A star of smooth triangles that reaches beyond [-1, 1].
 void draw_star(const GlTable& gl, std::uint32_t seed, float reach) {
-  static constexpr float rim[8][2] = {{0.97f, 0.13f},  {0.51f, 0.83f},  {-0.22f, 0.98f}, {-0.78f, 0.54f},
+  static constexpr float rim[8][2] = {{0.97f, 0.13f},   {0.51f, 0.83f},   {-0.22f, 0.98f}, {-0.78f, 0.54f},
                                       {-0.96f, -0.31f}, {-0.43f, -0.91f}, {0.27f, -0.93f}, {0.81f, -0.56f}};
   Random random(seed);
   gl.Begin(GL_TRIANGLES);
@@ -95,9 +95,7 @@ void depth_range_halves(const GlTable& gl) {
   look(gl, {.distance = 4.2f, .pitch_deg = 34});
   const Surface ring = torus(0.95f, 0.4f, 40, 20);
   const auto colored = [&](float red, float blue) {
-    draw_surface(gl, ring, [&](const Surface::Point& point) {
-      gl.Color3f(red, 0.2f + 0.6f * point.v, blue);
-    });
+    draw_surface(gl, ring, [&](const Surface::Point& point) { gl.Color3f(red, 0.2f + 0.6f * point.v, blue); });
   };
   load_model_view(gl, multiply(translation(-0.35f, 0.2f, -4.2f), rotation(63, 0)));
   gl.DepthRange(0.45, 0.9);  // the first ring lies behind, whatever its z
@@ -148,33 +146,60 @@ void depth_range_clamped(const GlTable& gl) {
 SceneList viewport_scenes() {
   constexpr auto section = "§2.11.1";
   return {
-      {.name = "viewport_partly_outside", .section = section,
-       .shows = "Four viewports that hang over the target's edges, each with a star of triangles cut off at the viewport.",
+      {.name = "viewport_partly_outside",
+       .section = section,
+       .shows =
+           "Four viewports that hang over the target's edges, each with a star of triangles cut off at the viewport.",
        .draw = viewport_partly_outside},
-      {.name = "viewport_larger_than_target", .section = section,
+      {.name = "viewport_larger_than_target",
+       .section = section,
        .shows = "The middle of a star in a viewport of 701 x 613 pixels around a target of 256 x 256.",
        .draw = viewport_larger_than_target},
-      {.name = "viewport_grid", .section = section,
-       .shows = "20 viewports of unequal sizes tile the target; in every second column the stars fill theirs to the edge.",
-       .width_px = 377, .height_px = 333, .draw = viewport_grid},
-      {.name = "wide_1000x200", .section = section,
-       .shows = "Nine lit rings in a row, turned ever further, wider at the ends of the wide perspective.", .width_px = 1000,
-       .height_px = 200, .draw = wide_1000x200},
-      {.name = "tiny_64x48", .section = section,
-       .shows = "A golden lit ring in a picture of 64 x 48 pixels: triangles smaller than pixels.", .width_px = 64, .height_px = 48,
+      {.name = "viewport_grid",
+       .section = section,
+       .shows =
+           "20 viewports of unequal sizes tile the target; in every second column the stars fill theirs to the edge.",
+       .width_px = 377,
+       .height_px = 333,
+       .draw = viewport_grid},
+      {.name = "wide_1000x200",
+       .section = section,
+       .shows = "Nine lit rings in a row, turned ever further, wider at the ends of the wide perspective.",
+       .width_px = 1000,
+       .height_px = 200,
+       .draw = wide_1000x200},
+      {.name = "tiny_64x48",
+       .section = section,
+       .shows = "A golden lit ring in a picture of 64 x 48 pixels: triangles smaller than pixels.",
+       .width_px = 64,
+       .height_px = 48,
        .draw = tiny_64x48},
-      {.name = "one_row", .section = section, .shows = "A star of triangles seen through a target one pixel high.",
-       .width_px = 301, .height_px = 1, .draw = one_row},
-      {.name = "one_column", .section = section, .shows = "A star of triangles seen through a target one pixel wide.",
-       .width_px = 1, .height_px = 203, .draw = one_row},
-      {.name = "depth_range_halves", .section = section,
+      {.name = "one_row",
+       .section = section,
+       .shows = "A star of triangles seen through a target one pixel high.",
+       .width_px = 301,
+       .height_px = 1,
+       .draw = one_row},
+      {.name = "one_column",
+       .section = section,
+       .shows = "A star of triangles seen through a target one pixel wide.",
+       .width_px = 1,
+       .height_px = 203,
+       .draw = one_row},
+      {.name = "depth_range_halves",
+       .section = section,
        .shows = "A blue ring wholly over a red one that stands nearer: each has its own half of the depth range.",
        .draw = depth_range_halves},
-      {.name = "depth_range_reversed", .section = section,
-       .shows = "An orange ball in a green ring, depth running from 1 to 0 under GL_GREATER.", .draw = depth_range_reversed},
-      {.name = "depth_range_clamped", .section = section,
-       .shows = "Four triangles whose depth ranges are clamped to [0, 0.7], [0.3, 1], [0, 1] and 0.62 alone.", .width_px = 256,
-       .height_px = 128, .draw = depth_range_clamped},
+      {.name = "depth_range_reversed",
+       .section = section,
+       .shows = "An orange ball in a green ring, depth running from 1 to 0 under GL_GREATER.",
+       .draw = depth_range_reversed},
+      {.name = "depth_range_clamped",
+       .section = section,
+       .shows = "Four triangles whose depth ranges are clamped to [0, 0.7], [0.3, 1], [0, 1] and 0.62 alone.",
+       .width_px = 256,
+       .height_px = 128,
+       .draw = depth_range_clamped},
   };
 }
 
