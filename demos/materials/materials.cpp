@@ -132,7 +132,7 @@ void draw() {
       glPushMatrix();
       glTranslatef(2.5f * static_cast<float>(column) - 1.25f * (columns - 1),
                    1.25f * (rows - 1) - 2.5f * static_cast<float>(row), 0);
-      sphere(64, 32);
+      sphere(48, 24);
       glPopMatrix();
     }
   }
