@@ -67,8 +67,8 @@ void material_change_mid_strip(const GlTable& gl) {
   int vertices = 0;
   draw_surface(gl, sphere(1.05f, 24, 48), [&](const Surface::Point&) {
     ++vertices;
-    if (vertices == 777) material(gl, GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {0.2f, 0.7f, 0.4f, 1});
-    if (vertices == 1555) material(gl, GL_FRONT, GL_DIFFUSE, {0.7f, 0.2f, 0.8f, 1});
+    if (vertices == 1177) material(gl, GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, {0.2f, 0.7f, 0.4f, 1});
+    if (vertices == 1655) material(gl, GL_FRONT, GL_DIFFUSE, {0.7f, 0.2f, 0.8f, 1});
   });
 }
 
