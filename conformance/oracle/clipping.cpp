@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conformance/oracle/exact_sum.h"
+
 namespace gouraud::oracle {
 namespace {
 
@@ -46,17 +48,6 @@ ClipVertex<T> mix(const ClipVertex<T>& from, const ClipVertex<T>& to, T t, doubl
   for (const Face face : {front, back}) {
     out.colors.primary[face] = mix(from.colors.primary[face], to.colors.primary[face], t_exact);
     out.colors.secondary[face] = mix(from.colors.secondary[face], to.colors.secondary[face], t_exact);
-  }
-  return out;
-}
-
-/// from + t (to - from) in double; a position of floats is rounded at the end.
-template <typename T>
-ClipVertex<T> mix_rounded_once(const ClipVertex<T>& from, const ClipVertex<T>& to, double t) {
-  ClipVertex<T> out = mix(from, to, static_cast<T>(t), t);
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double begin = from.position[i], end = to.position[i];
-    out.position[i] = static_cast<T>(begin + t * (end - begin));
   }
   return out;
 }
@@ -105,6 +96,39 @@ ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, int plane) {
   return out;
 }
 
+template <typename T>
+ExactSum exact_sum_distance(const ClipVertex<T>& vertex, int plane) {
+  const double w = vertex.position[3], coordinate = vertex.position[static_cast<std::size_t>(plane / 2)];
+  const bool is_upper = plane == 0 || plane == 2 || plane == 5;
+  return {{is_upper ? -coordinate : coordinate, w}};
+}
+
+/// A line's crossing of a plane, from the signed distances of its ends: at t = d0 / (d0 - d1) from end 0.
+struct Crossing {
+  ExactSum d0, d1;
+
+  /// t as a fraction with a positive denominator.
+  ExactSum numerator() const { return d0.value() < 0 ? -d0 : d0; }
+  ExactSum denominator() const { return d0.value() < 0 ? d1 - d0 : d0 - d1; }
+};
+
+bool is_before(const Crossing& a, const Crossing& b) {
+  return (a.numerator() * b.denominator() - b.numerator() * a.denominator()).value() < 0;
+}
+
+/// (1 - t) v0 + t v1 = (d0 v1 - d1 v0) / (d0 - d1): positions rounded once.
+template <typename T>
+ClipVertex<T> vertex_at(const Crossing& crossing, const ClipVertex<T>& v0, const ClipVertex<T>& v1) {
+  const double t = crossing.numerator().value() / crossing.denominator().value();
+  ClipVertex<T> out = mix(v0, v1, static_cast<T>(t), t);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const ExactSum c0{{static_cast<double>(v0.position[i])}}, c1{{static_cast<double>(v1.position[i])}};
+    const ExactSum weighted = crossing.d0 * c1 - crossing.d1 * c0;
+    out.position[i] = static_cast<T>(weighted.value() / (crossing.d0 - crossing.d1).value());
+  }
+  return out;
+}
+
 }  // namespace
 
 template <typename T>
@@ -125,19 +149,19 @@ template <typename T>
 std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line) {
   const auto& [v0, v1] = line;
   if (!has_finite_position(v0) || !has_finite_position(v1)) return {};
-  // How much is cut off at each end.
-  double t0 = 0, t1 = 0;
+  // Where the line comes in and where it leaves.
+  std::optional<Crossing> entry, exit;
   for (int plane = 0; plane < plane_count; ++plane) {
-    const double d0 = exact_distance(v0, plane), d1 = exact_distance(v1, plane);
-    if (d0 >= 0 && d1 >= 0) continue;
-    if (d0 < 0 && d1 < 0) return {};
-    if (d0 < 0) t0 = std::max(t0, d0 / (d0 - d1));
-    if (d1 < 0) t1 = std::max(t1, d1 / (d1 - d0));
+    const Crossing here{exact_sum_distance(v0, plane), exact_sum_distance(v1, plane)};
+    const bool inside0 = here.d0.value() >= 0, inside1 = here.d1.value() >= 0;
+    if (!inside0 && !inside1) return {};
+    if (!inside0 && (!entry || is_before(*entry, here))) entry = here;
+    if (!inside1 && (!exit || is_before(here, *exit))) exit = here;
   }
-  if (t0 + t1 >= 1) return {};
+  if (entry && exit && !is_before(*entry, *exit)) return {};
   std::array<ClipVertex<T>, 2> out = line;
-  if (t0 > 0) out[0] = mix_rounded_once(v0, v1, t0);
-  if (t1 > 0) out[1] = mix_rounded_once(v1, v0, t1);
+  if (entry) out[0] = vertex_at(*entry, v0, v1);
+  if (exit) out[1] = vertex_at(*exit, v0, v1);
   return out;
 }
 

@@ -1,7 +1,7 @@
 // Takes clip-space vertices, gives what of a primitive lies in the view volume [GL1.5 §2.12, §2.14.8].
 // Triangles are cut in T, in the order and from the end that MESA-RULES 2.4 prescribes; their colours by the same
-// intersection computed in double. Lines are cut in double, and the cut end is rounded to T: Mesa's float form would
-// lose lines whose ends are far away. No user clip planes yet. A primitive with a coordinate that is not finite is
+// intersection computed in double. Lines are cut exactly, and the cut end is rounded to T: Mesa's float form would lose
+// lines whose ends are far away. No user clip planes yet. A primitive with a coordinate that is not finite is
 // dropped, and a triangle with such a distance to a plane that it crosses.
 #pragma once
 

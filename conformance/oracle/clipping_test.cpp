@@ -70,6 +70,13 @@ TEST(ClipLine, CutsBothEnds) {
   EXPECT_FALSE(clip_line<float>({clip_vertex(-3, 0, 0, 1), clip_vertex(0, 3, 0, 1)}));
 }
 
+TEST(ClipLine, KeepsWhatIsVisibleOfVeryLongLines) {
+  const auto line = clip_line<float>({clip_vertex(-0x1p40f, -0x1p38f, 0, 1), clip_vertex(0x1p41f, 0x1p39f, 0, 1)});
+  ASSERT_TRUE(line);
+  EXPECT_EQ((*line)[0].position, (std::array<float, 4>{-1, -0.25f, 0, 1}));
+  EXPECT_EQ((*line)[1].position, (std::array<float, 4>{1, 0.25f, 0, 1}));
+}
+
 TEST(ViewVolume, HoldsItsBoundary) {
   EXPECT_TRUE(in_view_volume(clip_vertex(1, -1, 1, 1)));
   EXPECT_FALSE(in_view_volume(clip_vertex(1.001f, 0, 0, 1)));

@@ -49,8 +49,35 @@ bool contains_end(Integer u, Integer v, Integer half) {
   return u > -half && u <= half && v > -half && v <= half;
 }
 
-/// Colour and depth of the line at a pixel's centre [GL1.5 §3.4.1 eq 3.3-3.5]. Centres before the start or behind the
-/// end have values beyond those of the end points, as the equations say.
+/// The line's colour where it is t of the way [GL1.5 §3.4.1 eq 3.4]. With t beyond the ends the weights' sum may
+/// vanish: the nearer end's colour then.
+Color color_at(const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t) {
+  const double weight_a = (1 - t) * ends[0].w_inverse, weight_b = t * ends[1].w_inverse, sum = weight_a + weight_b;
+  if (sum <= 0) return colors[t < 0.5 ? 0 : 1];
+  Color out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double a = colors[0][i], b = colors[1][i];
+    out[i] = a == b ? a : (weight_a * a + weight_b * b) / sum;
+  }
+  return out;
+}
+
+/// Centres before the start or behind the end have, as the equations say, colours beyond those of the end points. In
+/// perspective they may be far beyond: legal is all from there to the end's own colour (PixelFlags), or any colour of
+/// the line if the equation has none.
+void bound_extrapolation(const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t,
+                         Fragment& fragment) {
+  fragment.extrapolated = true;
+  const bool beyond_horizon = (1 - t) * ends[0].w_inverse + t * ends[1].w_inverse <= 0;
+  const Color& end = colors[t < 0.5 ? 0 : 1];
+  const Color& other = beyond_horizon ? colors[t < 0.5 ? 1 : 0] : fragment.color;
+  for (std::size_t i = 0; i < 4; ++i) {
+    fragment.color_lowest[i] = std::min(end[i], other[i]);
+    fragment.color_highest[i] = std::max(end[i], other[i]);
+  }
+}
+
+/// Colour and depth of the line at a pixel's centre [GL1.5 §3.4.1 eqs 3.3-3.5].
 void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y) {
   const auto& [a, b] = ends;
   const double dx = b.x - a.x, dy = b.y - a.y;
@@ -60,21 +87,10 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
   Fragment fragment;
   fragment.x = x;
   fragment.y = y;
-  if (sink.flat_colors) {
-    fragment.color = color_of(sink, *sink.flat_colors);
-  } else {
-    const Color color_a = color_of(sink, a.colors), color_b = color_of(sink, b.colors);
-    const double weight_a = (1 - t) * a.w_inverse, weight_b = t * b.w_inverse;
-    const double weight = weight_a + weight_b;
-    for (std::size_t i = 0; i < 4; ++i) {
-      const double value = (weight_a * color_a[i] + weight_b * color_b[i]) / weight;
-      // Beyond the horizon of a line that ends near the eye: the nearer end's colour.
-      fragment.color[i] = color_a[i] == color_b[i] ? color_a[i]
-                          : weight > 0             ? value
-                                                   : (t < 0.5 ? color_a[i] : color_b[i]);
-    }
-  }
-  fragment.color_lowest = fragment.color_highest = fragment.color;
+  const std::array<Color, 2> colors{color_of(sink, sink.flat_colors ? *sink.flat_colors : a.colors),
+                                    color_of(sink, sink.flat_colors ? *sink.flat_colors : b.colors)};
+  fragment.color = fragment.color_lowest = fragment.color_highest = color_at(ends, colors, t);
+  if ((t < 0 || t > 1) && a.w_inverse != b.w_inverse) bound_extrapolation(ends, colors, t, fragment);
   fragment.depth = a.z == b.z ? a.z : (1 - t) * a.z + t * b.z;
   const double slack = a.z == b.z ? 0.0 : sink.depth_slack;
   fragment.depth_lowest = fragment.depth - slack;

@@ -152,6 +152,28 @@ TEST(LineAttributes, ArePerspectiveCorrectAlongTheLine) {
   EXPECT_NEAR(oracle.pixel(20, 10).depth_units, (0.25 + 0.5 * t) * 16777215, 1e-6);
 }
 
+TEST(LineAttributes, ContinueBeyondTheEndPoints) {
+  TestOracle oracle;
+  oracle.draw(window_state(), PrimitiveMode::lines,
+              {at(4.75f, 10.5f, 0, {0.5f, 0, 0, 1}), at(8.75f, 10.5f, 0, {0.75f, 0, 0, 1})});
+  EXPECT_NEAR(oracle.pixel(4, 10).color[0], 0.5 - 0.25 * 0.25 / 4, 1e-12);
+  EXPECT_EQ(oracle.picture().count(pixel_extrapolated), 0u);
+}
+
+/// Here t = -1/16, and the sum of the weights 17/16 / 32 - 1/16 < 0.
+TEST(LineAttributes, AreAnyOfTheLinesBeyondItsHorizon) {
+  const float w = 32.0f;
+  TestOracle oracle;
+  oracle.draw(window_state(), PrimitiveMode::lines,
+              {TestVertex{{4.75f * w, 10.5f * w, 0.5f * w, w}, {0.25f, 0, 0, 1}, {0, 0, 1}},
+               at(8.75f, 10.5f, 0.5f, {0.75f, 0, 0, 1})});
+  const OraclePixel& pixel = oracle.pixel(4, 10);
+  EXPECT_EQ(oracle.picture().count(pixel_extrapolated), 1u);
+  EXPECT_EQ(pixel.color[0], 0.25);
+  EXPECT_EQ(pixel.color_lowest[0], 0.25f);
+  EXPECT_EQ(pixel.color_highest[0], 0.75f);
+}
+
 TEST(LineAttributes, FlatLinesHaveTheSecondVertexsColour) {
   TestOracle oracle;
   pipeline::DrawState state = window_state();

@@ -1,5 +1,6 @@
 #include "conformance/oracle/positions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
@@ -62,7 +63,7 @@ std::optional<WindowVertex> to_window_space(const ClipVertex<T>& vertex, const p
   WindowVertex out;
   out.x = x;
   out.y = static_cast<double>(viewport.target_height_px) - static_cast<double>(y_from_top);
-  out.z = z;
+  out.z = std::clamp<double>(z, 0.0, 1.0);  // a vertex on the near or far plane may be rounded beyond it
   out.w_inverse = w_inverse;
   out.snapped = {snapped_x, top_row_center - snapped_y_from_top};
   out.colors = vertex.colors;
