@@ -3,6 +3,7 @@
 // Window y is counted from the top, as Mesa does it, so that its float rounding is Mesa's (MESA-RULES 2.3).
 #include "pipeline/geometry/viewport.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -74,8 +75,15 @@ bool project_vertex(const ViewportState& state, ProcessedVertices& vertices, std
   const auto& clip = vertices.position_clip;
   const float w_inverse = 1.0f / clip[3][i];
   const auto to_window = [&](std::size_t k) { return (clip[k][i] * w_inverse) * viewport.scale[k] + viewport.translation[k]; };
-  const WindowVertex window{to_window(0), to_window(1), to_window(2), w_inverse};
+  // A vertex on the clip volume's surface lies in the viewport; where coordinates were too large for the clipper's
+  // floats, rounding may have thrown it anywhere. One pixel beyond is rounding that Mesa has too.
+  const auto near_viewport = [&](float position, std::size_t k) {
+    const float reach = std::abs(viewport.scale[k]) + 1.0f;
+    return std::clamp(position, viewport.translation[k] - reach, viewport.translation[k] + reach);
+  };
+  WindowVertex window{to_window(0), to_window(1), to_window(2), w_inverse};
   const bool finite = std::isfinite(window.x) && std::isfinite(window.y_raster) && std::isfinite(window.z) && std::isfinite(w_inverse);
+  if (finite) window = {near_viewport(window.x, 0), near_viewport(window.y_raster, 1), near_viewport(window.z, 2), w_inverse};
   vertices.window[i] = window;
   vertices.outcode[i] = finite ? 0 : outside_invalid;
   return finite;
