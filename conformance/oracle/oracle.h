@@ -51,8 +51,9 @@ enum PixelFlags : std::uint8_t {
   pixel_depth_ambiguous = 2,
   /// A fragment's sample lies outside its unsnapped triangle (snapping covered it), where no specification says what
   /// its values are. Ours: the triangle's planes, kept inside the range of the vertices. Legal: any value that the
-  /// triangle has within the half sub-pixel by which snapping can have moved it. Or it lies beyond the end of a line
-  /// in perspective: legal is all from the end's colour to the equation's value.
+  /// triangle has within the half sub-pixel by which snapping can have moved it, and any value of the triangle at all
+  /// if its colour changes by more than 1/255 over that distance (slivers). Or it lies beyond the end of a line in
+  /// perspective: legal is all from the end's colour to the equation's value.
   pixel_extrapolated = 4,
   /// More outcomes than `max_alternatives`: the picture's further outcomes were dropped.
   pixel_alternatives_lost = 8,

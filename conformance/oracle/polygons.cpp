@@ -42,7 +42,15 @@ class Interpolation {
     flat_ = sink.flat_colors != nullptr;
   }
 
-  /// [GL1.5 §3.5.1]; extended precision, because slivers divide by next to nothing. Empty triangles are all vertex 0.
+  /// False if the unsnapped triangle has no inside.
+  bool has_area() const {
+    const auto& [a, b, c] = vertices_;
+    using Real = long double;
+    return (static_cast<Real>(b.x) - a.x) * (static_cast<Real>(c.y) - a.y) !=
+           (static_cast<Real>(c.x) - a.x) * (static_cast<Real>(b.y) - a.y);
+  }
+
+  /// [GL1.5 §3.5.1]; extended precision, because slivers divide by next to nothing. Without area all is vertex 0.
   Vector3 barycentric(double x, double y) const {
     const auto& [a, b, c] = vertices_;
     using Real = long double;
@@ -96,22 +104,32 @@ Vector3 moved_inside(Vector3 weight) {
   return {weight[0] / sum, weight[1] / sum, weight[2] / sum};
 }
 
-/// Widens the fragment's bounds by the values that the triangle has within half a sub-pixel (PixelFlags).
+/// A colour that changes by more within half a sub-pixel is not resolved.
+constexpr double resolved = 1.0 / 255;
+
+/// Widens the fragment's bounds by the values that the triangle has within half a sub-pixel; if those are not resolved,
+/// by all values of the triangle (PixelFlags).
 void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragment& fragment) {
   fragment.extrapolated = true;
+  const auto include = [&](const Vector3& weight) {
+    const Color color = values.color(weight);
+    for (std::size_t i = 0; i < 4; ++i) {
+      fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color[i]);
+      fragment.color_highest[i] = std::max(fragment.color_highest[i], color[i]);
+    }
+    fragment.depth_lowest = std::min(fragment.depth_lowest, values.depth(weight));
+    fragment.depth_highest = std::max(fragment.depth_highest, values.depth(weight));
+  };
   const double reach = std::ldexp(0.5, -subpixel_bits);
   for (const double dx : {-reach, reach}) {
     for (const double dy : {-reach, reach}) {
-      const Vector3 weight = moved_inside(values.barycentric(fragment.x + 0.5 + dx, fragment.y + 0.5 + dy));
-      const Color color = values.color(weight);
-      for (std::size_t i = 0; i < 4; ++i) {
-        fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color[i]);
-        fragment.color_highest[i] = std::max(fragment.color_highest[i], color[i]);
-      }
-      fragment.depth_lowest = std::min(fragment.depth_lowest, values.depth(weight));
-      fragment.depth_highest = std::max(fragment.depth_highest, values.depth(weight));
+      include(moved_inside(values.barycentric(fragment.x + 0.5 + dx, fragment.y + 0.5 + dy)));
     }
   }
+  bool is_resolved = values.has_area();
+  for (std::size_t i = 0; i < 4; ++i) is_resolved &= fragment.color_highest[i] - fragment.color_lowest[i] < resolved;
+  if (is_resolved) return;
+  for (const Vector3& corner : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) include(corner);
 }
 
 /// Barycentric coordinates of samples inside err by less.
@@ -124,7 +142,7 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
   fragment.y = y;
   fragment.color = fragment.color_lowest = fragment.color_highest = values.color(weight);
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = values.depth(weight);
-  if (std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
+  if (!values.has_area() || std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
     bound_extrapolation(values, sink.subpixel_bits, fragment);
   }
   fragment.depth_lowest = std::max(fragment.depth_lowest - sink.depth_slack, values.lowest_depth());
