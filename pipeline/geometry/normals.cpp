@@ -41,7 +41,11 @@ HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const Ver
       const auto scale = hn::Div(hn::Set(d, 1), hn::Sqrt(squared));
       for (auto& component : n) component = hn::IfThenElseZero(has_direction, hn::Mul(component, scale));
     }
-    for (std::size_t k = 0; k < 3; ++k) hn::Store(hn::DemoteTo(f, n[k]), f, &out[k][i]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Targets disagree about what infinity becomes as a float.
+      const auto finite = hn::Le(hn::Abs(n[k]), hn::Set(d, std::numeric_limits<float>::max()));
+      hn::Store(hn::DemoteTo(f, hn::IfThenElseZero(finite, n[k])), f, &out[k][i]);
+    }
   }
 }
 

@@ -48,6 +48,12 @@ TEST(Normals, WithoutADirectionNormalizeToZero) {
   }
 }
 
+TEST(Normals, LoseComponentsThatAreNotFinite) {
+  const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(transformed(scaling(NormalScaling::rescale, 10), {nan, 1, inf}), glm::vec3(0, 0, 0));  // each row has a NaN
+  EXPECT_EQ(transformed(scaling(NormalScaling::rescale, 10), {3e38f, 1, 0}), glm::vec3(0, 10, 0));
+}
+
 TEST(Normals, AreRoundedOnce) {
   const auto batch = random_batch(2, batch_capacity);
   const auto out = blank_vertices();
