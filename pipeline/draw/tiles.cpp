@@ -17,11 +17,26 @@ constexpr std::size_t entry_limit = std::size_t{1} << 19;
 constexpr std::size_t entries_worth_waking = 64;
 
 /// Records of a tile lie scattered over the arena: they are fetched this many entries ahead of their use.
-constexpr std::size_t prefetch_distance = 3;
+constexpr std::size_t prefetch_distance = 5;
 
 void prefetch_record(const void* record) {
   const auto* bytes = static_cast<const std::byte*>(record);
   for (std::size_t line = 0; line < sizeof(ColoredPrimitive); line += 64) __builtin_prefetch(bytes + line);
+}
+
+/// Fetches the depths that a small polygon is about to be tested against; large ones stream through memory anyway.
+void prefetch_depth(const PrimitiveRecord& record, std::int32_t tile_x, std::int32_t tile_y, const Framebuffer& target,
+                    const std::byte* depth) {
+  constexpr std::int32_t small = 2 * block_size;
+  if (record.x1 - record.x0 > small || record.y1 - record.y0 > small) return;
+  const std::int32_t x0 = std::max(record.x0 - tile_x, 0) / block_size, x1 = (std::min(record.x1 - tile_x, tile_size) - 1) / block_size;
+  const std::int32_t y0 = std::max(record.y0 - tile_y, 0), y1 = std::min(record.y1 - tile_y, tile_size);
+  for (std::int32_t x = x0; x <= x1; ++x) {
+    for (std::int32_t y = y0 & ~1; y < y1; y += 2) {
+      const std::int32_t pixel = (y / block_size * blocks_per_tile_row + x) * pixels_per_block + y % block_size * block_size;
+      __builtin_prefetch(depth + pixel * target.depth.bytes_per_pixel(), 1);
+    }
+  }
 }
 
 /// True if the edge has the whole tile on its outer side.
@@ -133,6 +148,9 @@ void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
   for (std::size_t i = 0; i < bin.size(); ++i) {
     const Entry& entry = bin[i];
     prefetch_record(bin[std::min(i + prefetch_distance, bin.size() - 1)].what);
+    if (const Entry& soon = bin[std::min(i + 2, bin.size() - 1)]; soon.kind == EntryKind::polygon && pixels.depth != nullptr) {
+      prefetch_depth(*static_cast<const PrimitiveRecord*>(soon.what), x, y, *target_, pixels.depth);
+    }
     switch (entry.kind) {
       case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;

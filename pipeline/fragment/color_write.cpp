@@ -117,13 +117,15 @@ HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color
   const BlockColor planes(color, block.x, block.y);
   const BlockPlane red = planes.plane(0), green = planes.plane(1), blue = planes.plane(2), alpha = planes.plane(3);
   const BlockPlane inverse_w = planes.plane(ColorRecord::inverse_w);
+  const PairRange pairs = whole_block ? PairRange{0, row_pairs} : covered_pairs(block.coverage);
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
     FloatVector r = first_pair(red, offset), g = first_pair(green, offset);
     FloatVector b = first_pair(blue, offset), a = first_pair(alpha, offset);
     FloatVector q = perspective ? first_pair(inverse_w, offset) : hn::Zero(d);
-    for (std::size_t first_lane = offset; first_lane < 64; first_lane += pair_lanes) {
-      const std::uint64_t covered = lane_bits(whole_block ? ~std::uint64_t{0} : block.coverage, first_lane);
-      if (whole_block || covered != 0) {
+    for (std::size_t pair = 0; pair < pairs.end; ++pair) {
+      if (whole_block || pair >= pairs.first) {
+        const std::size_t first_lane = pair * pair_lanes + offset;
+        const std::uint64_t covered = lane_bits(whole_block ? ~std::uint64_t{0} : block.coverage, first_lane);
         FloatVector w = q;
         if constexpr (perspective && clamp) {
           w = clamp_lanes(q, hn::Set(d, color.inverse_w_minimum), hn::Set(d, color.inverse_w_maximum));

@@ -116,12 +116,14 @@ HWY_INLINE std::uint64_t test_lanes(const FragmentBlock& block, const TileTarget
   const Depth depth(block.primitive->depth, block);
   const bool write = block.primitive->binding->state.depth.write_enabled;
   auto* words = reinterpret_cast<typename Format::Word*>(target.depth) + block.first_pixel;
+  const PairRange pairs = whole_block ? PairRange{0, row_pairs} : covered_pairs(block.coverage);
   std::uint64_t passed_all = 0;
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
     FloatVector part = depth.first(offset);
-    for (std::size_t first_lane = offset; first_lane < 64; first_lane += pair_lanes, part = depth.next(part)) {
+    for (std::size_t pair = 0; pair < pairs.first; ++pair) part = depth.next(part);
+    for (std::size_t pair = pairs.first; pair < pairs.end; ++pair, part = depth.next(part)) {
+      const std::size_t first_lane = pair * pair_lanes + offset;
       const std::uint64_t covered = lane_bits(block.coverage, first_lane);
-      if (!whole_block && covered == 0) continue;
       const auto z = depth.at(part, first_lane);
       const auto stored = Format::load(words + first_lane);
       auto passed = Func::test(z, Format::depth(stored));

@@ -51,6 +51,16 @@ HWY_INLINE std::uint64_t lane_bits(std::uint64_t coverage, std::size_t first_lan
   return coverage >> first_lane & ((std::uint64_t{1} << hn::Lanes(FloatTag())) - 1);
 }
 
+/// The row pairs [first, end) of a block that hold covered lanes. Empty coverage gives [0, 4).
+struct PairRange {
+  std::size_t first, end;
+};
+HWY_INLINE PairRange covered_pairs(std::uint64_t coverage) {
+  const std::uint64_t lanes = coverage != 0 ? coverage : ~std::uint64_t{0};
+  return {static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(lanes)) / pair_lanes,
+          (63 - static_cast<std::size_t>(hwy::Num0BitsAboveMS1Bit_Nonzero64(lanes))) / pair_lanes + 1};
+}
+
 HWY_INLINE bool all_lanes(std::uint64_t bits) { return bits == (std::uint64_t{1} << hn::Lanes(FloatTag())) - 1; }
 
 /// The mask whose lane i is bit i. (Through one word: byte stores followed by a wider load would stall.)
