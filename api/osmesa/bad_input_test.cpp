@@ -283,7 +283,7 @@ TEST_F(BadInput, HarmsNoTargetOfAnyFormat) {
     const OwnedContext context = make_context(ours(), OSMESA_RGBA, target.depth_bits, target.stencil_bits);
     std::vector<float> pixels(width * height * 4);
     ASSERT_TRUE(ours().MakeCurrent(context.get(), pixels.data(), target.type, width, height));
-    run(30000);
+    run(60000);
     if (target.type == GL_FLOAT) {
       for (const float value : pixels) ASSERT_TRUE(value >= 0.0f && value <= 1.0f) << value;
     }
