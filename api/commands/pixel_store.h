@@ -19,8 +19,8 @@ struct ClientRows {
   std::uintptr_t row_stride = 0;
 };
 
-/// For rows of width_px pixels of so many elements, each of element_size bytes (1, 2 or 4) [GL1.5 §3.6.4
-/// eqs 3.10, 3.11].
+/// For rows of width_px pixels of so many elements, each of element_size bytes (1, 2 or 4)
+/// [GL1.5 §3.6.4 eqs 3.10, 3.11].
 ClientRows client_rows(const PixelStore& store, GLsizei width_px, std::size_t elements_per_pixel,
                        std::size_t element_size);
 
