@@ -1,5 +1,5 @@
-// The lighting equation 2.1 term by term, then all of it. Spot lights and attenuation have their own file. [GL1.5
-// §2.14.1] Directions are generic: no vertex lies where n . VP is 0, on which a highlight or the lit side would hang.
+// The lighting equation 2.1 term by term, then all of it [GL1.5 §2.14.1]. Spot lights and attenuation have their own
+// file. Directions are generic: no vertex lies where n . VP is 0, on which a highlight or the lit side would hang.
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/shapes.h"
 
