@@ -20,7 +20,9 @@ struct Scene {
   std::unique_ptr<ProcessedVertices> vertices = blank_vertices();
   std::vector<AssembledTriangle> triangles;
 
-  explicit Scene(const std::vector<Clip>& positions) {
+  explicit Scene(const std::vector<Clip>& positions) { set(positions); }
+  void set(const std::vector<Clip>& positions) {
+    triangles.clear();
     vertices->count = static_cast<std::int32_t>(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
       for (std::size_t k = 0; k < 4; ++k) {
@@ -197,11 +199,12 @@ TEST(ClipTriangle, IsDroppedIfACoordinateOrADistanceIsNotFinite) {
 
 TEST(ClipTriangle, OfASliverStaysInsideTheVolume) {
   Numbers number(1);
+  Scene scene({});
   for (int round = 0; round < 2000; ++round) {
     const Clip a{3 * number(), 3 * number(), 3 * number(), 1};
     Clip b = a, c{3 * number(), 3 * number(), 3 * number(), 1};
     for (std::size_t k = 0; k < 3; ++k) b[k] = a[k] + 1e-6f * number();
-    Scene scene({a, b, c});
+    scene.set({a, b, c});
     if ((scene.vertices->outcode[0] | scene.vertices->outcode[1] | scene.vertices->outcode[2]) == 0) continue;
     scene.clip();
     for (const AssembledTriangle& t : scene.triangles) {
@@ -243,10 +246,11 @@ double exact_window_area(const std::vector<Clip>& triangle) {
 
 TEST(ClipTriangle, LeavesTheExactArea) {
   Numbers number(2);
+  Scene scene({});
   for (int round = 0; round < 5000; ++round) {
     std::vector<Clip> positions(3);
     for (Clip& p : positions) p = {3 * number(), 3 * number(), 3 * number(), round % 2 == 0 ? 1.0f : 0.3f + number()};
-    Scene scene(positions);
+    scene.set(positions);
     if ((scene.vertices->outcode[0] | scene.vertices->outcode[1] | scene.vertices->outcode[2]) == 0) continue;
     scene.clip();
     // Float's rounding, magnified where w is small: no more than 1/100000 of the viewport.
@@ -256,10 +260,11 @@ TEST(ClipTriangle, LeavesTheExactArea) {
 
 TEST(ClipTriangle, NeverLeavesItsRoomForAnyInput) {
   Numbers number(3, true);
+  Scene scene({});
   for (int round = 0; round < 20000; ++round) {
     std::vector<Clip> positions(3);
     for (Clip& p : positions) p = {number(), number(), number(), number()};
-    Scene scene(positions);
+    scene.set(positions);
     if (round % 50 == 0) scene.vertices->count = processed_stride - max_clip_vertices;
     const std::int32_t count = scene.vertices->count;
     scene.clip();
@@ -278,7 +283,8 @@ TEST(ClipTriangle, NeverLeavesItsRoomForAnyInput) {
 
 /// The end points after clipping, as (x, y, z, w); empty if nothing is left.
 std::vector<Clip> clipped(const Clip& a, const Clip& b) {
-  Scene scene({a, b});
+  static Scene scene({});
+  scene.set({a, b});
   AssembledLine line{{0, 1}, 1, false};
   if (!clip_line(line, viewport, {true, true, false, false}, *scene.vertices)) return {};
   EXPECT_EQ(line.provoking, 1);

@@ -106,7 +106,7 @@ HWY_INLINE Incidence incidence(const LightTerms& light, const LightBlock& block,
 template <LightKind kind, Highlight highlight, bool two_sided>
 HWY_INLINE LightVector specular_factor(const LightTerms& light, const LightBlock& block, std::size_t i, const Vector3& normal,
                                        const Incidence& in, hn::Mask<LightTag> back) {
-  const auto positive_part = [back](LightVector n_dot_h, LightVector value) HWY_ATTR {
+  const auto positive_part = [&](LightVector n_dot_h, LightVector value) HWY_ATTR {
     if constexpr (two_sided) n_dot_h = hn::IfThenElse(back, hn::Neg(n_dot_h), n_dot_h);
     return hn::IfThenElseZero(hn::Gt(n_dot_h, hn::Zero(LightTag())), value);
   };
