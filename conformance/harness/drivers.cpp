@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
+
+#include <stdlib.h>
 
 #include "conformance/harness/channel.h"
 
@@ -15,7 +18,6 @@ Driver mesa_driver(const Paths& paths, const std::string& name) {
   Driver driver{name, {paths.programs + "/conformance_driver", {paths.mesa_library, name}, {}, {}, false}};
   driver.command.dropped_environment = {"GALLIUM_", "GALLIVM_", "LP_", "MESA_", "LD_LIBRARY_PATH", "LD_PRELOAD"};
   driver.command.environment = {{"GALLIUM_DRIVER", name},
-                                {"MESA_SHADER_CACHE_DISABLE", "true"},
                                 // Mesa's own leaks and races are not what our sanitizer builds look for.
                                 {"ASAN_OPTIONS", "detect_leaks=0"},
                                 {"TSAN_OPTIONS", "report_bugs=0"}};
@@ -68,11 +70,21 @@ Driver our_driver(const Paths& paths, const OurSettings& settings) {
   return driver;
 }
 
-Driver llvmpipe_driver(const Paths& paths) {
+TemporaryFolder::TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "gouraud-conformance-XXXXXX") {
+  if (::mkdtemp(path_.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder " + path_);
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+Driver llvmpipe_driver(const Paths& paths, const TemporaryFolder& shader_cache) {
   Driver driver = mesa_driver(paths, "llvmpipe");
   driver.command.environment.emplace_back("GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1");
   driver.command.environment.emplace_back("GALLIVM_PERF", "no_aos_sampling");
   driver.command.environment.emplace_back("LP_NUM_THREADS", "0");
+  driver.command.environment.emplace_back("MESA_SHADER_CACHE_DIR", shader_cache.path());
   return driver;
 }
 

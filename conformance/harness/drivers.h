@@ -34,8 +34,22 @@ struct OurSettings {
 };
 Driver our_driver(const Paths& paths, const OurSettings& settings = {});
 
-/// Mesa's, with the settings that make its pixels the same on every host (MESA-RULES 1).
-Driver llvmpipe_driver(const Paths& paths);
+/// A new folder among the system's temporary ones, removed at the end with all that is in it.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+/// Mesa's, with the settings that make its pixels the same on every host (MESA-RULES 1). llvmpipe keeps the shaders
+/// that it compiles in `shader_cache`, an empty folder: most of its time goes there, and scenes have many in common.
+Driver llvmpipe_driver(const Paths& paths, const TemporaryFolder& shader_cache);
 Driver softpipe_driver(const Paths& paths);
 Driver oracle_driver(const Paths& paths);
 

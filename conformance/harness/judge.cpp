@@ -164,6 +164,12 @@ std::string error_list(const Picture& picture) {
   return result.empty() ? " none" : result;
 }
 
+/// True if all pixels have the same colour.
+bool is_uniform(const Picture& picture) {
+  const std::vector<std::uint8_t>& rgba = picture.rgba;
+  return rgba.size() < 8 || std::equal(rgba.begin() + 4, rgba.end(), rgba.begin());
+}
+
 bool same_format(const Picture& first, const Picture& second) {
   return first.width_px == second.width_px && first.height_px == second.height_px &&
          first.depth_bits == second.depth_bits;
@@ -196,7 +202,7 @@ Verdict judge(const Scene& scene, const SceneRenderings& renderings, const Accep
 
   const auto drawn = static_cast<std::size_t>(std::ranges::count(ours->covered, 1));
   judgement.measure("drawn", count(drawn));
-  if (drawn == 0) judgement.complain("ours draws nothing; a scene must show something");
+  if (drawn == 0 && is_uniform(*ours)) judgement.complain("the picture is empty; a scene must show something");
   if (ours->read_differences > 0) {
     judgement.complain("glReadPixels differs from the memory given to OSMesa in " +
                        std::to_string(ours->read_differences) + " pixels");

@@ -103,7 +103,9 @@ TEST(Judge, AnEmptyPictureShowsNothing) {
   for (auto* rendering : {&renderings.ours, &renderings.llvmpipe, &renderings.softpipe}) {
     (*rendering)->picture->covered.assign(2000, 0);
   }
-  EXPECT_TRUE(complains(judge_as(Judge::oracle_only, renderings), "draws nothing"));
+  EXPECT_TRUE(complains(judge_as(Judge::oracle_only, renderings), "the picture is empty"));
+  renderings.ours->picture->rgba[8] = 7;  // cleared in two colours, say
+  EXPECT_FALSE(complains(judge_as(Judge::oracle_only, renderings), "the picture is empty"));
 }
 
 TEST(Judge, AnExceptionRaisesTheBoundAndNoFurther) {

@@ -110,15 +110,16 @@ std::vector<std::string> names_of(std::span<const Scene* const> scenes) {
   return names;
 }
 
-Driver candidate_driver(const Options& options) {
+Driver candidate_driver(const Options& options, const TemporaryFolder& shader_cache) {
   if (options.candidate == "ours") return our_driver(options.paths);
-  if (options.candidate == "llvmpipe") return llvmpipe_driver(options.paths);
+  if (options.candidate == "llvmpipe") return llvmpipe_driver(options.paths, shader_cache);
   if (options.candidate == "softpipe") return softpipe_driver(options.paths);
   throw std::runtime_error("no driver is called " + options.candidate);
 }
 
 /// The batch through every driver, all at once.
-std::vector<SceneRenderings> render_batch(const Options& options, std::span<const Scene* const> scenes) {
+std::vector<SceneRenderings> render_batch(const Options& options, const TemporaryFolder& shader_cache,
+                                          std::span<const Scene* const> scenes) {
   const std::vector<std::string> names = names_of(scenes);
   Renderings ours, llvmpipe, softpipe, oracle;
   {
@@ -126,8 +127,8 @@ std::vector<SceneRenderings> render_batch(const Options& options, std::span<cons
     const auto start = [&](const Driver& driver, Renderings& into) {
       threads.emplace_back([&names, driver, &into] { into = render_all(driver, names); });
     };
-    start(candidate_driver(options), ours);
-    start(llvmpipe_driver(options.paths), llvmpipe);
+    start(candidate_driver(options, shader_cache), ours);
+    start(llvmpipe_driver(options.paths, shader_cache), llvmpipe);
     start(softpipe_driver(options.paths), softpipe);
     if (options.with_oracle) start(oracle_driver(options.paths), oracle);
   }
@@ -162,12 +163,13 @@ int judge_scenes(const Options& options, std::span<const Scene* const> scenes) {
     }
   }
 
+  const TemporaryFolder shader_cache;
   Report report(options.candidate);
   int passed = 0, failed = 0;
   std::printf("%s", summary_header().c_str());
   for (std::size_t first = 0; first < scenes.size(); first += batch_size) {
     const auto batch = scenes.subspan(first, std::min(batch_size, scenes.size() - first));
-    std::vector<SceneRenderings> renderings = render_batch(options, batch);
+    std::vector<SceneRenderings> renderings = render_batch(options, shader_cache, batch);
     for (std::size_t i = 0; i < batch.size(); ++i) {
       const auto exceptions = accepted.find(batch[i]->name);
       const bool listed = exceptions != accepted.end();
