@@ -180,26 +180,47 @@ void swap_bytes(std::byte* elements, std::size_t count, std::size_t element_size
   for (std::size_t i = 0; i < count; ++i) std::reverse(elements + i * element_size, elements + (i + 1) * element_size);
 }
 
-float element_of(const float* rgba, int source) {
-  return source == luminance ? std::min((rgba[0] + rgba[1]) + rgba[2], 1.0f) : rgba[source];
+float sum_of(const float* rgba) {
+  return std::min((rgba[0] + rgba[1]) + rgba[2], 1.0f);
+}
+std::uint8_t sum_of(const std::uint8_t* rgba) {
+  return static_cast<std::uint8_t>(std::min(rgba[0] + rgba[1] + rgba[2], 255));
 }
 
-std::uint8_t element_of(const std::uint8_t* rgba, int source) {
-  return source == luminance ? static_cast<std::uint8_t>(std::min(rgba[0] + rgba[1] + rgba[2], 255)) : rgba[source];
+template <int count, class Element>
+void choose(const std::vector<Element>& rgba, const std::array<int, 4>& source, Element* out) {
+  for (std::size_t pixel = 0; pixel < rgba.size(); pixel += 4) {
+    for (std::size_t c = 0; c < count; ++c) *out++ = rgba[pixel + static_cast<std::size_t>(source[c])];
+  }
+}
+
+// The elements of a row of R, G, B, A [GL1.5 §4.3.2]; luminance takes the place of red in `rgba`.
+template <class Element>
+void choose(std::vector<Element>& rgba, Channels channels, std::vector<Element>& out) {
+  if (channels.source[0] == luminance) {
+    for (std::size_t pixel = 0; pixel < rgba.size(); pixel += 4) rgba[pixel] = sum_of(&rgba[pixel]);
+    channels.source[0] = 0;
+  }
+  switch (channels.count) {
+    case 1:
+      return choose<1>(rgba, channels.source, out.data());
+    case 2:
+      return choose<2>(rgba, channels.source, out.data());
+    case 3:
+      return choose<3>(rgba, channels.source, out.data());
+    default:
+      return choose<4>(rgba, channels.source, out.data());
+  }
 }
 
 // read_row(y, out) gives a row of R, G, B, A; its elements are chosen, and put in their place.
 template <class Element, class ReadRow>
 void write_color(const Transfer& transfer, const Channels& channels, bool swapping, ReadRow read_row) {
-  const auto pixels = static_cast<std::size_t>(transfer.width), count = static_cast<std::size_t>(channels.count);
-  std::vector<Element> rgba(pixels * 4), elements(pixels * count);
+  const auto pixels = static_cast<std::size_t>(transfer.width);
+  std::vector<Element> rgba(pixels * 4), elements(pixels * static_cast<std::size_t>(channels.count));
   for (int i = 0; i < transfer.height; ++i) {
     read_row(transfer.y + i, rgba.data());
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-      for (std::size_t c = 0; c < count; ++c) {
-        elements[pixel * count + c] = element_of(&rgba[pixel * 4], channels.source[c]);
-      }
-    }
+    choose(rgba, channels, elements);
     std::byte* const bytes = reinterpret_cast<std::byte*>(elements.data());
     if (swapping) swap_bytes(bytes, elements.size(), sizeof(Element));
     std::memcpy(transfer.row(i), bytes, elements.size() * sizeof(Element));

@@ -22,14 +22,18 @@ void for_each_run(const TiledBuffer& buffer, int x, int y, int count, Visit visi
   }
 }
 
-// The same, with the run's pixels as values of type Stored, one after the other.
-template <class Stored, class Visit>
-void for_each_value(const TiledBuffer& buffer, int x, int y, int count, int values_per_pixel, Visit visit) {
+// Converts a row value by value. A whole run has a size known at compile time and becomes a few vector instructions.
+template <class Stored, int values_per_pixel, class Out, class Convert>
+void convert_row(const TiledBuffer& buffer, int x, int y, int count, Out* out, Convert convert) {
   for_each_run(buffer, x, y, count, [&](const std::byte* pixels, int length) {
-    Stored values[4 * block_size];
-    const int total = length * values_per_pixel;
-    std::memcpy(values, pixels, static_cast<std::size_t>(total) * sizeof(Stored));
-    for (int i = 0; i < total; ++i) visit(values[i]);
+    constexpr int most = block_size * values_per_pixel;
+    Stored values[most] = {};
+    Out converted[most];
+    const auto given = static_cast<std::size_t>(length * values_per_pixel);
+    std::memcpy(values, pixels, length == block_size ? sizeof values : given * sizeof(Stored));
+    for (int i = 0; i < most; ++i) converted[i] = convert(values[i]);
+    std::memcpy(out, converted, length == block_size ? sizeof converted : given * sizeof(Out));
+    out += given;
   });
 }
 
@@ -113,14 +117,12 @@ void read_color_row_float(const Framebuffer& target, int x, int y, int count, fl
       std::fill_n(out_rgba, static_cast<std::size_t>(count) * 4, 0.0f);
       break;
     case ColorFormat::rgba8:
-      for_each_value<std::uint8_t>(target.color, x, y, count, 4, [&](std::uint8_t value) {
-        *out_rgba++ = static_cast<float>(value) * (1.0f / 255.0f);
-      });
+      convert_row<std::uint8_t, 4>(target.color, x, y, count, out_rgba,
+                                   [](std::uint8_t value) { return static_cast<float>(value) * (1.0f / 255.0f); });
       break;
     case ColorFormat::rgba16:
-      for_each_value<std::uint16_t>(target.color, x, y, count, 4, [&](std::uint16_t value) {
-        *out_rgba++ = static_cast<float>(value) * (1.0f / 65535.0f);
-      });
+      convert_row<std::uint16_t, 4>(target.color, x, y, count, out_rgba,
+                                    [](std::uint16_t value) { return static_cast<float>(value) * (1.0f / 65535.0f); });
       break;
     case ColorFormat::rgba32f:
       read_color_row(target, x, y, count, out_rgba);
@@ -137,11 +139,10 @@ void read_color_row_unorm8(const Framebuffer& target, int x, int y, int count, s
       read_color_row(target, x, y, count, out_rgba);
       break;
     case ColorFormat::rgba16:
-      for_each_value<std::uint16_t>(target.color, x, y, count, 4,
-                                    [&](std::uint16_t value) { *out_rgba++ = unorm8_of_unorm16(value); });
+      convert_row<std::uint16_t, 4>(target.color, x, y, count, out_rgba, unorm8_of_unorm16);
       break;
     case ColorFormat::rgba32f:
-      for_each_value<float>(target.color, x, y, count, 4, [&](float value) { *out_rgba++ = unorm8_of_float(value); });
+      convert_row<float, 4>(target.color, x, y, count, out_rgba, unorm8_of_float);
       break;
   }
 }
@@ -150,11 +151,12 @@ void read_depth_row(const Framebuffer& target, int x, int y, int count, std::uin
   assert(target.depth_format != DepthFormat::z32f);
   switch (target.depth_format) {
     case DepthFormat::z16:
-      for_each_value<std::uint16_t>(target.depth, x, y, count, 1, [&](std::uint16_t value) { *out++ = value; });
+      convert_row<std::uint16_t, 1>(target.depth, x, y, count, out,
+                                    [](std::uint16_t value) { return std::uint32_t{value}; });
       break;
     case DepthFormat::z24s8:
-      for_each_value<std::uint32_t>(target.depth, x, y, count, 1,
-                                    [&](std::uint32_t word) { *out++ = word & 0xFFFFFFu; });
+      convert_row<std::uint32_t, 1>(target.depth, x, y, count, out,
+                                    [](std::uint32_t word) { return word & 0xFFFFFFu; });
       break;
     case DepthFormat::z32f:
     case DepthFormat::none:
@@ -169,12 +171,12 @@ void read_depth_row_float(const Framebuffer& target, int x, int y, int count, fl
       std::fill_n(out, count, 0.0f);
       break;
     case DepthFormat::z16:
-      for_each_value<std::uint16_t>(target.depth, x, y, count, 1,
-                                    [&](std::uint16_t value) { *out++ = static_cast<float>(value) / 65535.0f; });
+      convert_row<std::uint16_t, 1>(target.depth, x, y, count, out,
+                                    [](std::uint16_t value) { return static_cast<float>(value) / 65535.0f; });
       break;
-    case DepthFormat::z24s8:
-      for_each_value<std::uint32_t>(target.depth, x, y, count, 1, [&](std::uint32_t word) {
-        *out++ = static_cast<float>(word & 0xFFFFFFu) / 16777215.0f;
+    case DepthFormat::z24s8:  // 24 bits fit a signed integer, which every instruction set converts
+      convert_row<std::uint32_t, 1>(target.depth, x, y, count, out, [](std::uint32_t word) {
+        return static_cast<float>(static_cast<std::int32_t>(word & 0xFFFFFFu)) / 16777215.0f;
       });
       break;
     case DepthFormat::z32f:
@@ -187,10 +189,10 @@ void read_stencil_row(const Framebuffer& target, int x, int y, int count, std::u
   if (target.stencil_bits == 0) {
     std::fill_n(out, count, std::uint8_t{0});
   } else if (target.depth_format == DepthFormat::z24s8) {
-    for_each_value<std::uint32_t>(target.depth, x, y, count, 1,
-                                  [&](std::uint32_t word) { *out++ = static_cast<std::uint8_t>(word >> 24); });
+    convert_row<std::uint32_t, 1>(target.depth, x, y, count, out,
+                                  [](std::uint32_t word) { return static_cast<std::uint8_t>(word >> 24); });
   } else {
-    for_each_value<std::uint8_t>(target.stencil, x, y, count, 1, [&](std::uint8_t value) { *out++ = value; });
+    convert_row<std::uint8_t, 1>(target.stencil, x, y, count, out, [](std::uint8_t value) { return value; });
   }
 }
 
