@@ -19,23 +19,24 @@ enum class Sums { fused, split, two_sided };
 /// An exponent in [0, 128]. Most are whole numbers, whose powers are a few products.
 struct Exponent {
   static constexpr int not_whole = -1;
-  double value = 0;
-  int whole = 0;  ///< `value`, or not_whole
-  explicit Exponent(double exponent = 0) : value(exponent) {
-    whole = exponent >= 0 && exponent <= 128 && exponent == static_cast<int>(exponent) ? static_cast<int>(exponent) : not_whole;
-  }
+  double value;
+  int whole;  ///< `value`, or not_whole
 };
+inline Exponent make_exponent(double value) {
+  const bool is_whole = value >= 0 && value <= 128 && value == static_cast<int>(value);
+  return {value, is_whole ? static_cast<int>(value) : Exponent::not_whole};
+}
 
 struct LightTerms {
-  LightKind kind = LightKind::directional;
-  Highlight highlight = Highlight::none;
-  Triple position{};     ///< eye space; directional: unit vector towards the light
-  Triple half_vector{};  ///< unit vector, only if directional and the viewer distant
-  Triple attenuation{1, 0, 0};
-  Triple spot_direction{};
-  double spot_cutoff_cosine = -1;
+  LightKind kind;
+  Highlight highlight;
+  Triple position;     ///< eye space; directional: unit vector towards the light
+  Triple half_vector;  ///< unit vector, only if directional and the viewer distant
+  Triple attenuation, spot_direction;
+  double spot_cutoff_cosine;
   Exponent spot_exponent;
-  Triple ambient{}, diffuse{}, specular{};  ///< products with the material if the sums are fused
+  double directional_spot_factor;       ///< 1 but for directional spot lights
+  Triple ambient, diffuse, specular;    ///< products with the material if the sums are fused
   Exponent shininess, shininess_back;
 };
 

@@ -39,12 +39,12 @@ struct Run {
   const LightingState* state;
   const MaterialPair* material;
   Sums sums;
+  std::size_t light_count;
   std::array<LightTerms, max_lights> lights;
-  std::size_t light_count = 0;
   /// What the sums start from: ambient light of the scene and of directional lights; if fused, the whole colour that no
   /// vertex varies.
   Triple base;
-  bool needs_position = false, needs_viewer = false;
+  bool needs_position, needs_viewer;
 };
 
 /// Of a directional spot light, whose cone holds all vertices or none [GL1.5 §2.14.1 eq 2.5].
@@ -52,7 +52,7 @@ double directional_spot_factor(const PreparedLight& light) {
   const Triple to_light = widen(light.position_eye), axis = widen(light.spot_direction_eye);
   const double cosine = -(to_light[0] * axis[0] + to_light[1] * axis[1] + to_light[2] * axis[2]);
   if (!(cosine >= light.spot_cutoff_cosine)) return 0;
-  return hn::GetLane(power(spread(cosine), Exponent(light.spot_exponent)));
+  return hn::GetLane(power(spread(cosine), make_exponent(light.spot_exponent)));
 }
 
 /// The half vector of a directional light for a viewer at infinity [GL1.5 §2.14.1 eq 2.3]; zero if it has no direction.
@@ -68,53 +68,55 @@ bool reflects(const Material& material, std::uint8_t color_material, const Tripl
   return (color_material & material_specular) != 0 ? !is_black(light_specular) : !is_black(rgb(material.specular) * light_specular);
 }
 
-LightTerms prepare_light(const PreparedLight& light, const LightingState& state, const MaterialPair& material, Sums sums) {
-  LightTerms terms;
+/// What no material changes.
+void prepare_light(const PreparedLight& light, LightTerms& terms) {
   terms.kind = !light.positional ? LightKind::directional : light.spot ? LightKind::spot : LightKind::positional;
   terms.position = widen(light.position_eye);
   terms.attenuation = widen(light.attenuation);
   terms.spot_direction = widen(light.spot_direction_eye);
   terms.spot_cutoff_cosine = light.spot_cutoff_cosine;
-  terms.spot_exponent = Exponent(light.spot_exponent);
-  terms.shininess = Exponent(material.front.shininess);
-  terms.shininess_back = Exponent(material.back.shininess);
-
-  terms.ambient = rgb(light.ambient);
-  terms.diffuse = rgb(light.diffuse);
-  terms.specular = rgb(light.specular);
-  const bool shines = reflects(material.front, state.color_material_front, terms.specular) ||
-                      (state.two_sided && reflects(material.back, state.color_material_back, terms.specular));
-  if (shines) terms.highlight = state.local_viewer ? Highlight::local_viewer : Highlight::distant_viewer;
-  if (sums == Sums::fused) {
-    terms.ambient = terms.ambient * rgb(material.front.ambient);
-    terms.diffuse = terms.diffuse * rgb(material.front.diffuse);
-    terms.specular = terms.specular * rgb(material.front.specular);
-  }
-  if (terms.kind == LightKind::directional) {
-    const double factor = light.spot ? directional_spot_factor(light) : 1.0;
-    terms.ambient = factor * terms.ambient;
-    terms.diffuse = factor * terms.diffuse;
-    terms.specular = factor * terms.specular;
-    terms.half_vector = distant_half_vector(terms.position);
-  }
-  return terms;
+  terms.spot_exponent = make_exponent(light.spot_exponent);
+  const bool directional = terms.kind == LightKind::directional;
+  terms.half_vector = directional ? distant_half_vector(terms.position) : Triple{};
+  terms.directional_spot_factor = directional && light.spot ? directional_spot_factor(light) : 1.0;
 }
 
-Run prepare_run(const LightingState& state, const MaterialPair& material) {
-  Run run;
-  run.state = &state;
+void apply_material(const PreparedLight& light, const LightingState& state, const MaterialPair& material, Sums sums, LightTerms& terms) {
+  terms.ambient = terms.directional_spot_factor * rgb(light.ambient);
+  terms.diffuse = terms.directional_spot_factor * rgb(light.diffuse);
+  terms.specular = terms.directional_spot_factor * rgb(light.specular);
+  const bool shines = reflects(material.front, state.color_material_front, terms.specular) ||
+                      (state.two_sided && reflects(material.back, state.color_material_back, terms.specular));
+  terms.highlight = !shines ? Highlight::none : state.local_viewer ? Highlight::local_viewer : Highlight::distant_viewer;
+  terms.shininess = make_exponent(material.front.shininess);
+  terms.shininess_back = make_exponent(material.back.shininess);
+  if (sums != Sums::fused) return;
+  terms.ambient = terms.ambient * rgb(material.front.ambient);
+  terms.diffuse = terms.diffuse * rgb(material.front.diffuse);
+  terms.specular = terms.specular * rgb(material.front.specular);
+}
+
+void apply_material(const MaterialPair& material, Run& run) {
+  const LightingState& state = *run.state;
   run.material = &material;
-  const bool fused = state.color_material_front == material_none && !state.separate_specular;
-  run.sums = state.two_sided ? Sums::two_sided : fused ? Sums::fused : Sums::split;
   run.base = rgb(state.scene_ambient);
   if (run.sums == Sums::fused) run.base = rgb(material.front.emission) + rgb(material.front.ambient) * run.base;
-  for (std::size_t i = 0; i < state.light_count; ++i) {
-    const LightTerms& light = run.lights[run.light_count++] = prepare_light(state.lights[i], state, material, run.sums);
+  run.needs_viewer = run.needs_position = false;
+  for (std::size_t i = 0; i < run.light_count; ++i) {
+    LightTerms& light = run.lights[i];
+    apply_material(state.lights[i], state, material, run.sums, light);
     if (light.kind == LightKind::directional) run.base = run.base + light.ambient;
     run.needs_viewer = run.needs_viewer || light.highlight == Highlight::local_viewer;
     run.needs_position = run.needs_position || run.needs_viewer || light.kind != LightKind::directional;
   }
-  return run;
+}
+
+void prepare_lights(const LightingState& state, Run& run) {
+  const bool fused = state.color_material_front == material_none && !state.separate_specular;
+  run.state = &state;
+  run.sums = state.two_sided ? Sums::two_sided : fused ? Sums::fused : Sums::split;
+  run.light_count = state.light_count;
+  for (std::size_t i = 0; i < run.light_count; ++i) prepare_light(state.lights[i], run.lights[i]);
 }
 
 /// Widens the inputs of vertices [first, first + count) and starts the sums.
@@ -202,11 +204,10 @@ void finish_block(const Run& run, const LightBlock& block, std::size_t count, co
   }
 }
 
-void light_run(const LightingState& state, const MaterialPair& material, const VertexBatch& batch, std::size_t first,
-               std::size_t end, ProcessedVertices& out) {
+void light_run(Run& run, const MaterialPair& material, const VertexBatch& batch, std::size_t first, std::size_t end,
+               LightBlock& block, ProcessedVertices& out) {
   if (first >= end) return;
-  const Run run = prepare_run(state, material);
-  LightBlock block;
+  apply_material(material, run);
   while (first < end) {
     const std::size_t count = std::min(end - first, light_block_size);
     start_block(run, out, first, count, block);
@@ -218,16 +219,19 @@ void light_run(const LightingState& state, const MaterialPair& material, const V
 
 /// Ascending runs: a run's last vector may overwrite the first vertices of the next.
 void light(const LightingState& state, const VertexBatch& batch, ProcessedVertices& out) {
+  Run run;
+  LightBlock block;
+  prepare_lights(state, run);
   const auto count = static_cast<std::size_t>(batch.count);
   const MaterialPair* material = &state.material;
   std::size_t first = 0;
   for (const MaterialRun& next : batch.material_runs) {
     const std::size_t end = std::min(static_cast<std::size_t>(next.first), count);
-    light_run(state, *material, batch, first, end, out);
+    light_run(run, *material, batch, first, end, block, out);
     material = &next.material;
     first = end;
   }
-  light_run(state, *material, batch, first, count, out);
+  light_run(run, *material, batch, first, count, block, out);
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
