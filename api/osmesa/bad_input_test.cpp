@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <tuple>
 #include <type_traits>
 #include <vector>
 
@@ -155,11 +156,15 @@ class BadInput : public ::testing::Test {
   // Adds a command: called with random arguments, its enums mostly from `choices`, in their order.
   template <class Result, class... Arguments>
   void pour(Result (*command)(Arguments...), std::vector<Enums> choices = {}) {
-    commands_.push_back([this, command, choices] {
-      [[maybe_unused]] std::size_t next_enum = 0;
-      const std::tuple<Arguments...> arguments{argument<Arguments>(choices, next_enum)...};
-      std::apply(command, arguments);
-    });
+    if constexpr (sizeof...(Arguments) == 0) {
+      commands_.push_back([command] { command(); });
+    } else {
+      commands_.push_back([this, command, choices] {
+        std::size_t next_enum = 0;
+        const std::tuple<Arguments...> arguments{argument<Arguments>(choices, next_enum)...};
+        std::apply(command, arguments);
+      });
+    }
   }
   template <class... Commands>
   void pour_all(Commands... commands) {
