@@ -1,7 +1,7 @@
 // Takes a range of vertices, gives its points, lines and triangles as vertex numbers.
 // [GL1.5 §2.6.1] and, for the vertex that colours a flat primitive, [GL1.5 §2.14.7 Table 2.12].
-// choice: quads and polygons are split as MESA-RULES 2.5 says: smooth quads along the diagonal 0-2, flat ones along
-// 1-3, quad strips from their first to their last vertex, polygons as fans around the first vertex.
+// choice: quads and polygons are split as MESA-RULES 2.5 says: smooth filled quads along the diagonal 0-2, other quads
+// along 1-3, quad strips from their first to their last vertex, polygons as fans around the first vertex.
 #pragma once
 
 #include <array>
@@ -21,6 +21,6 @@ struct Primitive {
   unsigned boundary_edges = 7;
 };
 
-std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, pipeline::ShadeModel shade_model);
+std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, const pipeline::AssemblyState& state);
 
 }  // namespace gouraud::oracle

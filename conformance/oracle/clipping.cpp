@@ -79,6 +79,7 @@ ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, int plane) {
   if (!std::ranges::all_of(polygon.vertices, finite)) return {};
 
   ClippedPolygon<T> out;
+  out.is_cut = true;
   const auto add = [&out](const ClipVertex<T>& vertex, bool boundary) {
     out.vertices.push_back(vertex);
     out.boundary.push_back(boundary);

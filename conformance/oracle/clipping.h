@@ -18,6 +18,7 @@ template <typename T>
 struct ClippedPolygon {
   std::vector<ClipVertex<T>> vertices;
   std::vector<bool> boundary;
+  bool is_cut = false;  ///< false: the triangle as it was
 };
 
 /// The part of a triangle inside the view volume; no vertices if there is none. Bit i of `boundary_edges` stands for

@@ -97,7 +97,7 @@ class Draw {
         fill(polygon, [area_sign](const auto&) { return area_sign; });
         break;
       case PolygonMode::line:
-        outline(polygon, clipped.boundary);
+        outline(polygon, clipped.boundary, clipped.is_cut);
         break;
       case PolygonMode::point:
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -146,9 +146,13 @@ class Draw {
     }
   }
 
-  void outline(const std::vector<WindowVertex>& polygon, const std::vector<bool>& boundary) {
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-      if (boundary[i]) rasterize_line(sink_, {polygon[i], polygon[(i + 1) % polygon.size()]});
+  /// The specification says nothing of the order, which decides where edges meet in a pixel. Mesa draws the edges 2-0,
+  /// 0-1, 1-2 of each triangle (i - 1, i, 0) of a clipped polygon, so the polygon's in order (MESA-RULES 2.4, 5.5).
+  void outline(const std::vector<WindowVertex>& polygon, const std::vector<bool>& boundary, bool clipped) {
+    const std::size_t n = polygon.size(), first = clipped ? 0 : n - 1;
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = (first + k) % n;
+      if (boundary[i]) rasterize_line(sink_, {polygon[i], polygon[(i + 1) % n]});
     }
   }
 
@@ -162,7 +166,7 @@ void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& b
                 OraclePicture& picture) {
   Draw<T> draw(state, batch, options, picture);
   for (const pipeline::PrimitiveRange& range : batch.primitives) {
-    for (const Primitive& primitive : assemble(range, state.assembly.shade_model)) draw.draw(primitive);
+    for (const Primitive& primitive : assemble(range, state.assembly)) draw.draw(primitive);
   }
 }
 

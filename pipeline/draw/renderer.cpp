@@ -118,6 +118,7 @@ void Renderer::Implementation::flush_triangles() {
 }
 
 /// Polygon modes [GL1.5 §3.5.4]: the face decides between filling, the boundary edges and their vertices.
+/// choice: edges 2-0, 0-1, 1-2, as Mesa (MESA-RULES 5.5): a polygon's fan then gives the polygon's edges in order.
 void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) {
   const bool front = faces_front(setup, vertices, triangle);
   if (is_culled(setup.cull, front)) return;
@@ -125,7 +126,9 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
   flush_triangles();
   const bool back = setup.two_sided && !front;
-  for (std::size_t k = 0; k < 3; ++k) {
+  const std::size_t first = mode == PolygonMode::line ? 2 : 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = (first + i) % 3;
     if ((triangle.edges >> k & 1) == 0) continue;
     const std::uint16_t from = triangle.vertex[k], to = triangle.vertex[(k + 1) % 3];
     if (mode == PolygonMode::line) {
@@ -215,7 +218,8 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
     self.assembled.triangles.clear();
     self.assembled.lines.clear();
     self.assembled.points.clear();
-    assemble(range, state.assembly.shade_model, self.assembled);
+    // choice: quads that are not filled are split like flat ones, as Mesa does: their edges then come in order.
+    assemble(range, self.unfilled ? ShadeModel::flat : state.assembly.shade_model, self.assembled);
     for (const AssembledTriangle& triangle : self.assembled.triangles) {
       const auto& outcode = self.vertices.outcode;
       const unsigned outside = outcode[triangle.vertex[0]] | outcode[triangle.vertex[1]] | outcode[triangle.vertex[2]];
