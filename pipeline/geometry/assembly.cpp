@@ -1,7 +1,7 @@
 // Takes a range of vertices, gives its primitives [GL1.5 §2.6.1].
 //
-// A range that continues an earlier one yields what the uncut primitive would have yielded there: see PrimitiveRange for
-// the vertices it repeats. Edge flags (EdgeFlag) are left out: `edges` knows the decomposition alone.
+// A range that continues an earlier one yields what the uncut primitive would have yielded there: see PrimitiveRange
+// for the vertices it repeats. Edge flags (EdgeFlag) are left out: `edges` knows the decomposition alone.
 #include "pipeline/geometry/assembly.h"
 
 #include <cstddef>
@@ -23,7 +23,8 @@ T* append(std::vector<T>& list, std::int32_t count) {
 struct Indices {
   std::int32_t first;
   std::uint16_t operator()(std::int32_t i) const { return static_cast<std::uint16_t>(first + i); }
-  AssembledTriangle triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t provoking, std::uint8_t edges) const {
+  AssembledTriangle triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t provoking,
+                             std::uint8_t edges) const {
     const Indices& at = *this;
     return {{at(a), at(b), at(c)}, at(provoking), edges};
   }
@@ -36,7 +37,8 @@ void assemble_points(Indices at, std::int32_t count, std::vector<AssembledPoint>
 }
 
 /// Segments (i, i + 1) for i = first, first + step, ...
-void assemble_lines(Indices at, std::int32_t count, std::int32_t first, std::int32_t step, std::vector<AssembledLine>& out) {
+void assemble_lines(Indices at, std::int32_t count, std::int32_t first, std::int32_t step,
+                    std::vector<AssembledLine>& out) {
   const std::int32_t segments = count - first < 2 ? 0 : (count - first - 2) / step + 1;
   AssembledLine* line = append(out, segments);
   for (std::int32_t k = 0; k < segments; ++k) *line++ = at.line(first + k * step, first + k * step + 1);
@@ -107,16 +109,26 @@ void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrim
   const Indices at{range.first};
   const std::int32_t count = range.count;
   switch (range.mode) {
-    case PrimitiveMode::points: return assemble_points(at, count, out.points);
-    case PrimitiveMode::lines: return assemble_lines(at, count, 0, 2, out.lines);
-    case PrimitiveMode::line_strip: return assemble_lines(at, count, 0, 1, out.lines);
-    case PrimitiveMode::line_loop: return assemble_loop(at, range, out.lines);
-    case PrimitiveMode::triangles: return assemble_triangles(at, count, out.triangles);
-    case PrimitiveMode::triangle_strip: return assemble_triangle_strip(at, count, out.triangles);
-    case PrimitiveMode::triangle_fan: return assemble_fan(at, count, out.triangles);
-    case PrimitiveMode::quads: return assemble_quads(at, count, shade_model, out.triangles);
-    case PrimitiveMode::quad_strip: return assemble_quad_strip(at, count, out.triangles);
-    case PrimitiveMode::polygon: return assemble_polygon(at, range, out.triangles);
+    case PrimitiveMode::points:
+      return assemble_points(at, count, out.points);
+    case PrimitiveMode::lines:
+      return assemble_lines(at, count, 0, 2, out.lines);
+    case PrimitiveMode::line_strip:
+      return assemble_lines(at, count, 0, 1, out.lines);
+    case PrimitiveMode::line_loop:
+      return assemble_loop(at, range, out.lines);
+    case PrimitiveMode::triangles:
+      return assemble_triangles(at, count, out.triangles);
+    case PrimitiveMode::triangle_strip:
+      return assemble_triangle_strip(at, count, out.triangles);
+    case PrimitiveMode::triangle_fan:
+      return assemble_fan(at, count, out.triangles);
+    case PrimitiveMode::quads:
+      return assemble_quads(at, count, shade_model, out.triangles);
+    case PrimitiveMode::quad_strip:
+      return assemble_quad_strip(at, count, out.triangles);
+    case PrimitiveMode::polygon:
+      return assemble_polygon(at, range, out.triangles);
   }
 }
 

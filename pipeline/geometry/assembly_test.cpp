@@ -10,9 +10,9 @@
 namespace gouraud::pipeline {
 namespace {
 
-constexpr std::array all_modes{PrimitiveMode::points,         PrimitiveMode::lines,        PrimitiveMode::line_loop,
-                               PrimitiveMode::line_strip,     PrimitiveMode::triangles,    PrimitiveMode::triangle_strip,
-                               PrimitiveMode::triangle_fan,   PrimitiveMode::quads,        PrimitiveMode::quad_strip,
+constexpr std::array all_modes{PrimitiveMode::points,       PrimitiveMode::lines,     PrimitiveMode::line_loop,
+                               PrimitiveMode::line_strip,   PrimitiveMode::triangles, PrimitiveMode::triangle_strip,
+                               PrimitiveMode::triangle_fan, PrimitiveMode::quads,     PrimitiveMode::quad_strip,
                                PrimitiveMode::polygon};
 
 /// A primitive in letters: vertex 0 is "a". "abc c" is the triangle abc whose provoking vertex is c; edges that are no
@@ -72,7 +72,8 @@ TEST(Assembly, DropsWhatIsIncomplete) {
     EXPECT_EQ(assembled(mode, count), assembled(mode, complete)) << count << " vertices";
   };
   for (const PrimitiveMode mode : all_modes) EXPECT_EQ(assembled(mode, 0), "");
-  for (const PrimitiveMode mode : {PrimitiveMode::lines, PrimitiveMode::line_strip, PrimitiveMode::line_loop}) same(mode, 1, 0);
+  for (const PrimitiveMode mode : {PrimitiveMode::lines, PrimitiveMode::line_strip, PrimitiveMode::line_loop})
+    same(mode, 1, 0);
   for (const PrimitiveMode mode : {PrimitiveMode::triangles, PrimitiveMode::triangle_strip, PrimitiveMode::triangle_fan,
                                    PrimitiveMode::polygon, PrimitiveMode::quads, PrimitiveMode::quad_strip}) {
     same(mode, 1, 0);
@@ -87,7 +88,9 @@ TEST(Assembly, DropsWhatIsIncomplete) {
   same(PrimitiveMode::quad_strip, 7, 6);
 }
 
-TEST(Assembly, OfALoopOfTwoVerticesGoesThereAndBack) { EXPECT_EQ(assembled(PrimitiveMode::line_loop, 2), "ab b, ba a"); }
+TEST(Assembly, OfALoopOfTwoVerticesGoesThereAndBack) {
+  EXPECT_EQ(assembled(PrimitiveMode::line_loop, 2), "ab b, ba a");
+}
 
 TEST(Assembly, CountsVerticesFromTheRangesFirstAndAppends) {
   AssembledPrimitives out;
@@ -104,21 +107,28 @@ struct Cutting {
 };
 Cutting cutting_of(PrimitiveMode mode) {
   switch (mode) {
-    case PrimitiveMode::points: return {1, false, 0};
-    case PrimitiveMode::lines: return {2, false, 0};
-    case PrimitiveMode::line_strip: return {1, false, 1};
-    case PrimitiveMode::triangles: return {3, false, 0};
-    case PrimitiveMode::quads: return {4, false, 0};
+    case PrimitiveMode::points:
+      return {1, false, 0};
+    case PrimitiveMode::lines:
+      return {2, false, 0};
+    case PrimitiveMode::line_strip:
+      return {1, false, 1};
+    case PrimitiveMode::triangles:
+      return {3, false, 0};
+    case PrimitiveMode::quads:
+      return {4, false, 0};
     case PrimitiveMode::triangle_strip:
-    case PrimitiveMode::quad_strip: return {2, false, 2};
+    case PrimitiveMode::quad_strip:
+      return {2, false, 2};
     case PrimitiveMode::line_loop:
     case PrimitiveMode::triangle_fan:
-    case PrimitiveMode::polygon: break;
+    case PrimitiveMode::polygon:
+      break;
   }
   return {1, true, 1};
 }
 
-/// The primitives of `count` vertices that come in ranges of at most `room` vertices each; vertices named as in the whole.
+/// The primitives of `count` vertices in ranges of at most `room` vertices each; vertices named as in the whole.
 std::string assembled_in_pieces(PrimitiveMode mode, ShadeModel shade_model, std::int32_t count, std::int32_t room) {
   const Cutting cutting = cutting_of(mode);
   AssembledPrimitives whole;
@@ -128,13 +138,16 @@ std::string assembled_in_pieces(PrimitiveMode mode, ShadeModel shade_model, std:
     if (!begins && cutting.repeats_first) names = {0, names.back()};
     if (!begins && !cutting.repeats_first) names.erase(names.begin(), names.end() - cutting.repeats);
     const std::int32_t limit = room / cutting.unit * cutting.unit;
-    while (static_cast<std::int32_t>(names.size()) < limit && next < count) names.push_back(static_cast<std::uint16_t>(next++));
+    while (static_cast<std::int32_t>(names.size()) < limit && next < count)
+      names.push_back(static_cast<std::uint16_t>(next++));
     AssembledPrimitives part;
     assemble({mode, begins, next == count, 0, static_cast<std::int32_t>(names.size())}, shade_model, part);
     for (AssembledPoint p : part.points) whole.points.push_back({names[p.vertex], names[p.provoking], p.back});
-    for (AssembledLine l : part.lines) whole.lines.push_back({{names[l.vertex[0]], names[l.vertex[1]]}, names[l.provoking], l.back});
+    for (AssembledLine l : part.lines)
+      whole.lines.push_back({{names[l.vertex[0]], names[l.vertex[1]]}, names[l.provoking], l.back});
     for (AssembledTriangle t : part.triangles) {
-      whole.triangles.push_back({{names[t.vertex[0]], names[t.vertex[1]], names[t.vertex[2]]}, names[t.provoking], t.edges});
+      whole.triangles.push_back(
+          {{names[t.vertex[0]], names[t.vertex[1]], names[t.vertex[2]]}, names[t.provoking], t.edges});
     }
   }
   return letters(whole);

@@ -19,7 +19,9 @@ namespace {
 constexpr std::uint32_t plane_count = 6;
 
 /// The upper planes bound a coordinate by w, the lower ones by -w.
-bool is_upper(std::uint32_t plane) { return (1u << plane & (outside_right | outside_top | outside_far)) != 0; }
+bool is_upper(std::uint32_t plane) {
+  return (1u << plane & (outside_right | outside_top | outside_far)) != 0;
+}
 
 float distance(const ProcessedVertices& vertices, std::uint16_t index, std::uint32_t plane) {
   const float coordinate = vertices.position_clip[plane / 2][index], w = vertices.position_clip[3][index];
@@ -40,7 +42,8 @@ struct Polygon {
 
 /// Appends a vertex whose every component is mix(component of a, component of b).
 template <class Mix>
-std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t a, std::uint16_t b, const Mix& mix) {
+std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t a,
+                         std::uint16_t b, const Mix& mix) {
   const auto index = static_cast<std::uint16_t>(vertices.count++);
   const auto mix_arrays = [&](auto& arrays) {
     for (auto& array : arrays) array[index] = mix(array[a], array[b]);
@@ -59,8 +62,8 @@ std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attr
 }
 
 /// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer of the two.
-std::uint16_t intersect(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t inside, std::uint16_t outside,
-                        std::uint32_t plane) {
+std::uint16_t intersect(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t inside,
+                        std::uint16_t outside, std::uint32_t plane) {
   const float d_inside = distance(vertices, inside, plane), d_outside = distance(vertices, outside, plane);
   const bool from_outside = -d_outside < d_inside;
   const float t = from_outside ? d_outside / (d_outside - d_inside) : d_inside / (d_inside - d_outside);
@@ -68,8 +71,8 @@ std::uint16_t intersect(ProcessedVertices& vertices, const ClipAttributes& attri
                     [t](float from, float to) { return from + t * (to - from); });
 }
 
-/// The part of the polygon on the plane's inner side. False if a distance is infinite, or if rounding has bent the polygon
-/// so much that the new vertices do not fit.
+/// The part of the polygon on the plane's inner side. False if a distance is infinite, or if rounding has bent the
+/// polygon so much that the new vertices do not fit.
 bool clip_to_plane(const Polygon& in, std::uint32_t plane, const ClipAttributes& attributes, std::int32_t room_end,
                    ProcessedVertices& vertices, Polygon& out) {
   out.size = 0;
@@ -88,7 +91,8 @@ bool clip_to_plane(const Polygon& in, std::uint32_t plane, const ClipAttributes&
 }
 
 /// Clips against the planes in `outcodes`; the result is in `polygon`. False if nothing is left.
-bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, ProcessedVertices& vertices, Polygon& polygon) {
+bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, ProcessedVertices& vertices,
+                  Polygon& polygon) {
   if ((outcodes & outside_invalid) != 0) return false;
   const std::int32_t room_end = vertices.count + max_clip_vertices;
   Polygon clipped;
@@ -100,8 +104,8 @@ bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, Proc
   return true;
 }
 
-/// The sum of the terms, rounded as if it were computed exactly (to within a unit in the last place), so that its sign is
-/// right: partial sums that do not overlap (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997).
+/// The sum of the terms, rounded as if it were computed exactly (to within a unit in the last place), so that its sign
+/// is right: partial sums that do not overlap (Shewchuk, "Adaptive Precision Floating-Point Arithmetic", 1997).
 template <std::size_t terms>
 double exact_sum(const std::array<double, terms>& values) {
   std::array<double, terms> partial;
@@ -131,8 +135,8 @@ class Line {
   /// d_a(v0) d_b(v1) - d_b(v0) d_a(v1), with d the distances of the end points from the planes a and b.
   double cross(std::uint32_t a, std::uint32_t b) const {
     const Pair a0 = distance(0, a), a1 = distance(1, a), b0 = distance(0, b), b1 = distance(1, b);
-    return exact_sum<8>({a0[0] * b1[0], a0[0] * b1[1], a0[1] * b1[0], a0[1] * b1[1],
-                         -b0[0] * a1[0], -b0[0] * a1[1], -b0[1] * a1[0], -b0[1] * a1[1]});
+    return exact_sum<8>({a0[0] * b1[0], a0[0] * b1[1], a0[1] * b1[0], a0[1] * b1[1], -b0[0] * a1[0], -b0[0] * a1[1],
+                         -b0[1] * a1[0], -b0[1] * a1[1]});
   }
 
   /// A quantity that is value0 at v0 and value1 at v1, where the line meets the plane.
@@ -181,7 +185,8 @@ void emit_fan(const Polygon& polygon, std::uint16_t provoking, std::vector<Assem
     const bool first = i == 2, last = i == polygon.size - 1;
     const unsigned edges = (polygon.boundary[i - 1] ? 1u : 0u) | (last && polygon.boundary[i] ? 2u : 0u) |
                            (first && polygon.boundary[0] ? 4u : 0u);
-    out.push_back({{polygon.vertex[i - 1], polygon.vertex[i], polygon.vertex[0]}, provoking, static_cast<std::uint8_t>(edges)});
+    out.push_back(
+        {{polygon.vertex[i - 1], polygon.vertex[i], polygon.vertex[0]}, provoking, static_cast<std::uint8_t>(edges)});
   }
 }
 

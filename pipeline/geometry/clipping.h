@@ -16,8 +16,8 @@ struct ClipAttributes {
 /// Most vertices that one primitive can add: two a plane, of the frustum's six and the user's.
 inline constexpr int max_clip_vertices = 2 * (6 + max_clip_planes);
 
-/// Cuts a triangle some of whose vertices have outcodes and appends what is left, as a fan, to `out`. New vertices go to
-/// the end of `vertices`: the caller guarantees vertices.count + max_clip_vertices <= processed_stride.
+/// Cuts a triangle some of whose vertices have outcodes and appends what is left, as a fan, to `out`. New vertices go
+/// to the end of `vertices`: the caller guarantees vertices.count + max_clip_vertices <= processed_stride.
 ///
 /// Mesa's order of planes and direction of interpolation, in float (MESA-RULES 2.4), so that coverage has Mesa's bits.
 /// A triangle with an invalid vertex, or with an infinite distance from a plane, is dropped. The provoking vertex stays

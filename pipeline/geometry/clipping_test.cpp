@@ -40,13 +40,16 @@ struct Scene {
     const auto& p = vertices->position_clip;
     return {p[0][index], p[1][index], p[2][index], p[3][index]};
   }
-  std::vector<Clip> corners(const AssembledTriangle& t) const { return {position(t.vertex[0]), position(t.vertex[1]), position(t.vertex[2])}; }
+  std::vector<Clip> corners(const AssembledTriangle& t) const {
+    return {position(t.vertex[0]), position(t.vertex[1]), position(t.vertex[2])};
+  }
 
   /// Twice the area in pixels, y down.
   double window_area() const {
     double sum = 0;
     for (const AssembledTriangle& t : triangles) {
-      const WindowVertex &a = vertices->window[t.vertex[0]], &b = vertices->window[t.vertex[1]], &c = vertices->window[t.vertex[2]];
+      const WindowVertex &a = vertices->window[t.vertex[0]], &b = vertices->window[t.vertex[1]],
+                         &c = vertices->window[t.vertex[2]];
       sum += (static_cast<double>(b.x) - a.x) * (static_cast<double>(c.y_raster) - a.y_raster) -
              (static_cast<double>(c.x) - a.x) * (static_cast<double>(b.y_raster) - a.y_raster);
     }
@@ -273,7 +276,8 @@ TEST(ClipTriangle, NeverLeavesItsRoomForAnyInput) {
       for (const std::uint16_t v : t.vertex) {
         const WindowVertex& w = scene.vertices->window[v];
         ASSERT_EQ(scene.vertices->outcode[v], 0);
-        ASSERT_TRUE(std::isfinite(w.x) && std::isfinite(w.y_raster) && std::isfinite(w.z) && std::isfinite(w.w_inverse));
+        ASSERT_TRUE(std::isfinite(w.x) && std::isfinite(w.y_raster) && std::isfinite(w.z) &&
+                    std::isfinite(w.w_inverse));
       }
     }
   }
@@ -319,8 +323,10 @@ TEST(ClipLine, BehindTheEyeKeepsTheVisiblePart) {
 TEST(ClipLine, WithHugeEndsIsDrawnWhereItShould) {
   for (const float huge : {1e3f, 1e10f, 1e20f, 3e38f}) {
     EXPECT_EQ(clipped({-huge, 0.5f, 0, 1}, {huge, 0.5f, 0, 1}), (std::vector<Clip>{{-1, 0.5f, 0, 1}, {1, 0.5f, 0, 1}}));
-    EXPECT_EQ(clipped({-huge, -huge, 0.25f, 1}, {huge, huge, 0.25f, 1}), (std::vector<Clip>{{-1, -1, 0.25f, 1}, {1, 1, 0.25f, 1}}));
-    EXPECT_EQ(clipped({-huge, huge, huge, 1}, {huge, -huge, -huge, 1}), (std::vector<Clip>{{-1, 1, 1, 1}, {1, -1, -1, 1}}));
+    EXPECT_EQ(clipped({-huge, -huge, 0.25f, 1}, {huge, huge, 0.25f, 1}),
+              (std::vector<Clip>{{-1, -1, 0.25f, 1}, {1, 1, 0.25f, 1}}));
+    EXPECT_EQ(clipped({-huge, huge, huge, 1}, {huge, -huge, -huge, 1}),
+              (std::vector<Clip>{{-1, 1, 1, 1}, {1, -1, -1, 1}}));
   }
 }
 
@@ -341,7 +347,8 @@ TEST(ClipLine, IsDroppedIfACoordinateIsNotFinite) {
 TEST(ClipLine, StaysOnTheLineAndInTheVolume) {
   Numbers number(4);
   for (int round = 0; round < 5000; ++round) {
-    const Clip a{3 * number(), 3 * number(), 3 * number(), 1.2f + number()}, b{3 * number(), 3 * number(), 3 * number(), 1.2f + number()};
+    const Clip a{3 * number(), 3 * number(), 3 * number(), 1.2f + number()},
+        b{3 * number(), 3 * number(), 3 * number(), 1.2f + number()};
     for (const Clip& p : clipped(a, b)) {
       for (std::size_t k = 0; k < 3; ++k) ASSERT_LE(std::abs(p[k]), p[3] * 1.000001f);
       // p = a + t (b - a) with the same t in every coordinate.

@@ -28,6 +28,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
-void clamp_vertex_colors(const VertexBatch& batch, ProcessedVertices& out) { GOURAUD_SIMD_PICK(clamp_colors)(batch, out); }
+void clamp_vertex_colors(const VertexBatch& batch, ProcessedVertices& out) {
+  GOURAUD_SIMD_PICK(clamp_colors)(batch, out);
+}
 }  // namespace gouraud::pipeline
 #endif

@@ -36,7 +36,8 @@ std::unique_ptr<Scene> make_scene() {
     const glm::vec3 v(number(random), number(random), number(random));
     const float scale = 1 / std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
     for (int k = 0; k < 3; ++k) {
-      scene->batch.position_object[static_cast<std::size_t>(k)][i] = scene->batch.normal_object[static_cast<std::size_t>(k)][i] = v[k] * scale;
+      scene->batch.position_object[static_cast<std::size_t>(k)][i] =
+          scene->batch.normal_object[static_cast<std::size_t>(k)][i] = v[k] * scale;
       scene->batch.color[static_cast<std::size_t>(k)][i] = v[k];
     }
     scene->batch.position_object[3][i] = scene->batch.color[3][i] = 1;
@@ -110,7 +111,8 @@ void clip_triangles(benchmark::State& state) {
 void clip_lines(benchmark::State& state) {
   const auto scene = make_scene();
   auto& clip = scene->vertices.position_clip;
-  for (std::size_t i = 0; i < 2; ++i) clip[1][i] = clip[2][i] = 0, clip[3][i] = 1, clip[0][i] = static_cast<float>(i) * 3;
+  for (std::size_t i = 0; i < 2; ++i)
+    clip[1][i] = clip[2][i] = 0, clip[3][i] = 1, clip[0][i] = static_cast<float>(i) * 3;
   project_to_window(scene->viewport, scene->vertices);
   for (auto _ : state) {
     AssembledLine line{{0, 1}, 1, false};
@@ -119,7 +121,16 @@ void clip_lines(benchmark::State& state) {
   }
 }
 
-enum LightBits { positional = 1, attenuated = 2, spot = 4, specular = 8, local = 16, two_sided = 32, separate = 64, color_material = 128 };
+enum LightBits {
+  positional = 1,
+  attenuated = 2,
+  spot = 4,
+  specular = 8,
+  local = 16,
+  two_sided = 32,
+  separate = 64,
+  color_material = 128
+};
 
 /// Arguments: number of lights, LightBits.
 void light(benchmark::State& state) {
@@ -145,7 +156,8 @@ void light(benchmark::State& state) {
     source.spot_cutoff_cosine = 0.1f;
     source.spot_exponent = 2;
   }
-  if ((bits & specular) != 0) lighting.material.front.specular = lighting.material.back.specular = {0.5f, 0.5f, 0.5f, 1};
+  if ((bits & specular) != 0)
+    lighting.material.front.specular = lighting.material.back.specular = {0.5f, 0.5f, 0.5f, 1};
   lighting.material.front.shininess = lighting.material.back.shininess = 32;
   for (auto _ : state) light_vertices(lighting, scene->batch, scene->vertices);
   report(state);

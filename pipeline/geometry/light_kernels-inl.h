@@ -22,15 +22,19 @@ namespace hn = hwy::HWY_NAMESPACE;
 using LightTag = hn::CappedTag<double, 8>;
 using LightVector = hn::Vec<LightTag>;
 
-/// Keep results finite where a vertex sits in the light or all attenuation constants are 0: then black light stays black.
+/// Keep results finite where a vertex sits in the light or all attenuation constants are 0: black light stays black.
 inline constexpr double least_distance = 1e-100, most_light = 1e100, most_power = 0x1p400;
 
 struct Vector3 {
   LightVector x, y, z;
 };
 
-HWY_INLINE LightVector spread(double value) { return hn::Set(LightTag(), value); }
-HWY_INLINE Vector3 spread(const Triple& v) { return {spread(v[0]), spread(v[1]), spread(v[2])}; }
+HWY_INLINE LightVector spread(double value) {
+  return hn::Set(LightTag(), value);
+}
+HWY_INLINE Vector3 spread(const Triple& v) {
+  return {spread(v[0]), spread(v[1]), spread(v[2])};
+}
 HWY_INLINE Vector3 load(const LightBlock::Vectors& rows, std::size_t i) {
   const LightTag d;
   return {hn::Load(d, &rows[0][i]), hn::Load(d, &rows[1][i]), hn::Load(d, &rows[2][i])};
@@ -41,7 +45,9 @@ HWY_INLINE LightVector dot(const Vector3& a, const Vector3& b) {
 HWY_INLINE Vector3 add_scaled(const Vector3& a, LightVector s, const Vector3& b) {
   return {hn::Add(a.x, hn::Mul(s, b.x)), hn::Add(a.y, hn::Mul(s, b.y)), hn::Add(a.z, hn::Mul(s, b.z))};
 }
-HWY_INLINE Vector3 subtract(const Vector3& a, const Vector3& b) { return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)}; }
+HWY_INLINE Vector3 subtract(const Vector3& a, const Vector3& b) {
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
 
 /// x^exponent for a whole exponent >= 0; x^0 = 1. Kept below most_power, as pow does.
 HWY_INLINE LightVector whole_power(LightVector x, int exponent) {
@@ -71,7 +77,7 @@ HWY_INLINE LightVector power_of_root(LightVector x_squared, const Exponent& expo
 struct Incidence {
   Vector3 to_light;
   LightVector distance;
-  LightVector strength;           ///< attenuation times spot factor [GL1.5 §2.14.1 eqs 2.4 and 2.5]
+  LightVector strength;  ///< attenuation times spot factor [GL1.5 §2.14.1 eqs 2.4 and 2.5]
   LightVector strength_by_distance;
 };
 
@@ -104,8 +110,8 @@ HWY_INLINE Incidence incidence(const LightTerms& light, const LightBlock& block,
 
 /// max(n . h, 0)^shininess [GL1.5 §2.14.1 eq 2.3]. `back` lanes use -n and the back material's shininess.
 template <LightKind kind, Highlight highlight, bool two_sided>
-HWY_INLINE LightVector specular_factor(const LightTerms& light, const LightBlock& block, std::size_t i, const Vector3& normal,
-                                       const Incidence& in, hn::Mask<LightTag> back) {
+HWY_INLINE LightVector specular_factor(const LightTerms& light, const LightBlock& block, std::size_t i,
+                                       const Vector3& normal, const Incidence& in, hn::Mask<LightTag> back) {
   const auto positive_part = [&](LightVector n_dot_h, LightVector value) HWY_ATTR {
     if constexpr (two_sided) n_dot_h = hn::IfThenElse(back, hn::Neg(n_dot_h), n_dot_h);
     return hn::IfThenElseZero(hn::Gt(n_dot_h, hn::Zero(LightTag())), value);
@@ -199,26 +205,35 @@ using LightKernel = void (*)(const LightTerms& light, std::size_t count, LightBl
 template <LightKind kind, Highlight highlight>
 LightKernel kernel_for(Sums sums) {
   switch (sums) {
-    case Sums::fused: return add_light<kind, highlight, Sums::fused>;
-    case Sums::split: return add_light<kind, highlight, Sums::split>;
-    case Sums::two_sided: break;
+    case Sums::fused:
+      return add_light<kind, highlight, Sums::fused>;
+    case Sums::split:
+      return add_light<kind, highlight, Sums::split>;
+    case Sums::two_sided:
+      break;
   }
   return add_light<kind, highlight, Sums::two_sided>;
 }
 template <LightKind kind>
 LightKernel kernel_for(Highlight highlight, Sums sums) {
   switch (highlight) {
-    case Highlight::none: return kernel_for<kind, Highlight::none>(sums);
-    case Highlight::distant_viewer: return kernel_for<kind, Highlight::distant_viewer>(sums);
-    case Highlight::local_viewer: break;
+    case Highlight::none:
+      return kernel_for<kind, Highlight::none>(sums);
+    case Highlight::distant_viewer:
+      return kernel_for<kind, Highlight::distant_viewer>(sums);
+    case Highlight::local_viewer:
+      break;
   }
   return kernel_for<kind, Highlight::local_viewer>(sums);
 }
 inline LightKernel kernel_for(const LightTerms& light, Sums sums) {
   switch (light.kind) {
-    case LightKind::directional: return kernel_for<LightKind::directional>(light.highlight, sums);
-    case LightKind::positional: return kernel_for<LightKind::positional>(light.highlight, sums);
-    case LightKind::spot: break;
+    case LightKind::directional:
+      return kernel_for<LightKind::directional>(light.highlight, sums);
+    case LightKind::positional:
+      return kernel_for<LightKind::positional>(light.highlight, sums);
+    case LightKind::spot:
+      break;
   }
   return kernel_for<LightKind::spot>(light.highlight, sums);
 }

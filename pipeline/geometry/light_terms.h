@@ -1,4 +1,4 @@
-// What lighting hands to its kernels: one light's constants over a run of vertices, and a block of vertices [GL1.5 §2.14.1].
+// What lighting hands to its kernels: a light's constants over a run of vertices, a block of vertices [GL1.5 §2.14.1].
 #pragma once
 
 #include <array>
@@ -35,8 +35,8 @@ struct LightTerms {
   Triple attenuation, spot_direction;
   double spot_cutoff_cosine;
   Exponent spot_exponent;
-  double directional_spot_factor;       ///< 1 but for directional spot lights
-  Triple ambient, diffuse, specular;    ///< products with the material if the sums are fused
+  double directional_spot_factor;     ///< 1 but for directional spot lights
+  Triple ambient, diffuse, specular;  ///< products with the material if the sums are fused
   Exponent shininess, shininess_back;
 };
 

@@ -1,8 +1,8 @@
 // Takes eye-space positions and normals, lights and materials, gives clamped primary and secondary colours of the front
 // and, if two-sided, of the back [GL1.5 §2.14.1, §2.14.3, §2.14.6].
 //
-// Vertices of one material are a run; a run goes through the lights in blocks, one light after the other, so that what is
-// constant (a light's place, its colours times the material's) is worked out once. light_kernels-inl.h adds a light.
+// Vertices of one material are a run; a run goes through the lights in blocks, one light after the other, so that what
+// is constant (a light's place, its colours times the material's) is worked out once. light_kernels-inl.h adds a light.
 // choice: vertices are divided by their eye w, as points of §2.14.1; w = 0, undefined there, counts as 1.
 // Leaves out colour index lighting, and the choice between front and back, which setup makes.
 #include "pipeline/geometry/lighting.h"
@@ -27,12 +27,24 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 
 using FloatTag = hn::Rebind<float, LightTag>;
 
-HWY_INLINE Triple widen(const glm::vec3& v) { return {v.x, v.y, v.z}; }
-HWY_INLINE Triple rgb(const glm::vec4& v) { return {v.x, v.y, v.z}; }
-HWY_INLINE Triple operator*(const Triple& a, const Triple& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
-HWY_INLINE Triple operator*(double s, const Triple& b) { return {s * b[0], s * b[1], s * b[2]}; }
-HWY_INLINE Triple operator+(const Triple& a, const Triple& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-HWY_INLINE bool is_black(const Triple& c) { return c[0] == 0 && c[1] == 0 && c[2] == 0; }
+HWY_INLINE Triple widen(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+HWY_INLINE Triple rgb(const glm::vec4& v) {
+  return {v.x, v.y, v.z};
+}
+HWY_INLINE Triple operator*(const Triple& a, const Triple& b) {
+  return {a[0] * b[0], a[1] * b[1], a[2] * b[2]};
+}
+HWY_INLINE Triple operator*(double s, const Triple& b) {
+  return {s * b[0], s * b[1], s * b[2]};
+}
+HWY_INLINE Triple operator+(const Triple& a, const Triple& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+HWY_INLINE bool is_black(const Triple& c) {
+  return c[0] == 0 && c[1] == 0 && c[2] == 0;
+}
 
 /// A run of vertices that share a material, and the lights as they concern it.
 struct Run {
@@ -65,7 +77,8 @@ Triple distant_half_vector(const Triple& to_light) {
 
 /// True if a highlight can show on the face.
 bool reflects(const Material& material, std::uint8_t color_material, const Triple& light_specular) {
-  return (color_material & material_specular) != 0 ? !is_black(light_specular) : !is_black(rgb(material.specular) * light_specular);
+  return (color_material & material_specular) != 0 ? !is_black(light_specular)
+                                                   : !is_black(rgb(material.specular) * light_specular);
 }
 
 /// What no material changes.
@@ -81,13 +94,16 @@ void prepare_light(const PreparedLight& light, LightTerms& terms) {
   terms.directional_spot_factor = directional && light.spot ? directional_spot_factor(light) : 1.0;
 }
 
-void apply_material(const PreparedLight& light, const LightingState& state, const MaterialPair& material, Sums sums, LightTerms& terms) {
+void apply_material(const PreparedLight& light, const LightingState& state, const MaterialPair& material, Sums sums,
+                    LightTerms& terms) {
   terms.ambient = terms.directional_spot_factor * rgb(light.ambient);
   terms.diffuse = terms.directional_spot_factor * rgb(light.diffuse);
   terms.specular = terms.directional_spot_factor * rgb(light.specular);
   const bool shines = reflects(material.front, state.color_material_front, terms.specular) ||
                       (state.two_sided && reflects(material.back, state.color_material_back, terms.specular));
-  terms.highlight = !shines ? Highlight::none : state.local_viewer ? Highlight::local_viewer : Highlight::distant_viewer;
+  terms.highlight = !shines              ? Highlight::none
+                    : state.local_viewer ? Highlight::local_viewer
+                                         : Highlight::distant_viewer;
   terms.shininess = make_exponent(material.front.shininess);
   terms.shininess_back = make_exponent(material.back.shininess);
   if (sums != Sums::fused) return;
@@ -120,13 +136,13 @@ void prepare_lights(const LightingState& state, Run& run) {
 }
 
 /// Widens the inputs of vertices [first, first + count) and starts the sums.
-void start_block(const Run& run, const ProcessedVertices& vertices, std::size_t first, std::size_t count, LightBlock& block) {
+void start_block(const Run& run, const ProcessedVertices& vertices, std::size_t first, std::size_t count,
+                 LightBlock& block) {
   const LightTag d;
   const FloatTag f;
   const LightVector zero = hn::Zero(d), one = hn::Set(d, 1);
-  const auto input = [&](const auto& rows, std::size_t k, std::size_t i) HWY_ATTR {
-    return hn::PromoteTo(d, hn::LoadU(f, &rows[k][first + i]));
-  };
+  const auto input = [&](const auto& rows, std::size_t k, std::size_t i)
+                         HWY_ATTR { return hn::PromoteTo(d, hn::LoadU(f, &rows[k][first + i])); };
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     for (std::size_t k = 0; k < 3; ++k) hn::Store(hn::Set(d, run.base[k]), d, &block.ambient[k][i]);
     if (run.light_count == 0) continue;
@@ -174,11 +190,13 @@ void finish_face(const Run& run, const LightBlock& block, std::size_t count, std
     };
     LightVector color[3], specular[3];
     for (std::size_t k = 0; k < 3; ++k) {
-      const LightVector ambient = hn::Mul(parameter(material_ambient, material.ambient, k), hn::Load(d, &block.ambient[k][i]));
+      const LightVector ambient =
+          hn::Mul(parameter(material_ambient, material.ambient, k), hn::Load(d, &block.ambient[k][i]));
       color[k] = hn::Add(parameter(material_emission, material.emission, k), ambient);
       specular[k] = hn::Zero(d);
       if (!lit) continue;
-      const LightVector diffuse = hn::Load(d, &block.diffuse[face][k][i]), highlight = hn::Load(d, &block.specular[face][k][i]);
+      const LightVector diffuse = hn::Load(d, &block.diffuse[face][k][i]),
+                        highlight = hn::Load(d, &block.specular[face][k][i]);
       color[k] = hn::Add(color[k], hn::Mul(parameter(material_diffuse, material.diffuse, k), diffuse));
       specular[k] = hn::Mul(parameter(material_specular, material.specular, k), highlight);
       if (!separate) color[k] = hn::Add(color[k], specular[k]);
@@ -188,8 +206,8 @@ void finish_face(const Run& run, const LightBlock& block, std::size_t count, std
   }
 }
 
-void finish_block(const Run& run, const LightBlock& block, std::size_t count, const VertexBatch& batch, std::size_t first,
-                  ProcessedVertices& out) {
+void finish_block(const Run& run, const LightBlock& block, std::size_t count, const VertexBatch& batch,
+                  std::size_t first, ProcessedVertices& out) {
   if (run.sums != Sums::fused) {
     finish_face(run, block, count, 0, batch, first, &out.color_front[first], &out.specular_front[first]);
     if (run.sums == Sums::two_sided) {

@@ -17,13 +17,16 @@ struct Reference {
   double magnitude = 0;  ///< of the largest channel's terms
 };
 
-double dot(const double (&a)[3], const double (&b)[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double dot(const double (&a)[3], const double (&b)[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 void normalize(double (&v)[3]) {
   const double length = std::sqrt(dot(v, v));
   for (double& x : v) x = length > 0 ? x / length : 0;
 }
 
-Reference reference(const LightingState& state, const Material& material, const ProcessedVertices& vertices, std::size_t i, double side) {
+Reference reference(const LightingState& state, const Material& material, const ProcessedVertices& vertices,
+                    std::size_t i, double side) {
   Reference out;
   double n[3], p[3], terms[3] = {};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -52,7 +55,8 @@ Reference reference(const LightingState& state, const Material& material, const 
     double strength = 1;
     if (light.positional) {
       const double distance = std::sqrt(dot(vp, vp));
-      strength = 1 / (light.attenuation[0] + light.attenuation[1] * distance + light.attenuation[2] * distance * distance);
+      strength =
+          1 / (light.attenuation[0] + light.attenuation[1] * distance + light.attenuation[2] * distance * distance);
       normalize(vp);
     }
     if (light.spot) {
@@ -72,14 +76,26 @@ Reference reference(const LightingState& state, const Material& material, const 
 }
 
 enum Feature : unsigned {
-  positional = 1, attenuated = 2, spot = 4, specular = 8, local_viewer = 16, two_sided = 32, separate = 64,
-  color_material = 128, whole_exponents = 256, every_feature = 511
+  positional = 1,
+  attenuated = 2,
+  spot = 4,
+  specular = 8,
+  local_viewer = 16,
+  two_sided = 32,
+  separate = 64,
+  color_material = 128,
+  whole_exponents = 256,
+  every_feature = 511
 };
 
 LightingState random_state(unsigned features, Numbers& number) {
   const auto has = [features](Feature f) { return (features & f) != 0; };
-  const auto color = [&] { return glm::vec4(std::abs(number()), std::abs(number()), std::abs(number()), std::abs(number())) * 0.4f; };
-  const auto exponent = [&] { return has(whole_exponents) ? static_cast<float>(number.below(129)) : 64 + 64 * number(); };
+  const auto color = [&] {
+    return glm::vec4(std::abs(number()), std::abs(number()), std::abs(number()), std::abs(number())) * 0.4f;
+  };
+  const auto exponent = [&] {
+    return has(whole_exponents) ? static_cast<float>(number.below(129)) : 64 + 64 * number();
+  };
   LightingState state;
   state.enabled = true;
   state.two_sided = has(two_sided);
@@ -95,7 +111,8 @@ LightingState random_state(unsigned features, Numbers& number) {
     light.position_eye = {number(), number(), number()};
     if (light.positional) light.position_eye *= 10.0f;
     if (!light.positional) light.position_eye *= 1 / glm::length(light.position_eye);
-    if (has(attenuated) && light.positional) light.attenuation = {std::abs(number()), std::abs(number()), std::abs(number())};
+    if (has(attenuated) && light.positional)
+      light.attenuation = {std::abs(number()), std::abs(number()), std::abs(number())};
     light.spot = has(spot);
     if (!light.spot) continue;
     light.spot_direction_eye = {number(), number(), number()};
@@ -151,11 +168,13 @@ TEST(Lighting, EqualsTheFormulaForEveryCombinationOfFeatures) {
     fill_eye_space(*vertices, count, number);
     light_vertices(state, *batch, *vertices);
     for (std::size_t i = 0; i < count && !testing::Test::HasFailure(); ++i) {
-      const Reference front = reference(state, tracked(state.material.front, state.color_material_front, *batch, i), *vertices, i, 1);
+      const Reference front =
+          reference(state, tracked(state.material.front, state.color_material_front, *batch, i), *vertices, i, 1);
       expect_near(vertices->color_front[i], front.primary, front.primary[3], front.magnitude);
       if (state.separate_specular) expect_near(vertices->specular_front[i], front.secondary, 0, front.magnitude);
       if (!state.two_sided) continue;
-      const Reference back = reference(state, tracked(state.material.back, state.color_material_back, *batch, i), *vertices, i, -1);
+      const Reference back =
+          reference(state, tracked(state.material.back, state.color_material_back, *batch, i), *vertices, i, -1);
       expect_near(vertices->color_back[i], back.primary, back.primary[3], back.magnitude);
       if (state.separate_specular) expect_near(vertices->specular_back[i], back.secondary, 0, back.magnitude);
     }
@@ -233,7 +252,8 @@ TEST(Lighting, GivesTheSameBitsOnEveryTargetAndColorsInRangeForAnyInput) {
     out->position_eye = first->position_eye;
     light_vertices(state, *batch, *first);
     for (std::size_t i = 0; i < 301; ++i) {
-      for (const Rgba& c : {first->color_front[i], first->color_back[i], first->specular_front[i], first->specular_back[i]}) {
+      for (const Rgba& c :
+           {first->color_front[i], first->color_back[i], first->specular_front[i], first->specular_back[i]}) {
         for (const float channel : {c.r, c.g, c.b, c.a}) ASSERT_TRUE(channel >= 0 && channel <= 1) << channel;
       }
     }
@@ -242,7 +262,8 @@ TEST(Lighting, GivesTheSameBitsOnEveryTargetAndColorsInRangeForAnyInput) {
       ASSERT_TRUE(same_bits(out->color_front, first->color_front, 301));
       ASSERT_TRUE(!state.two_sided || same_bits(out->color_back, first->color_back, 301));
       ASSERT_TRUE(!state.separate_specular || same_bits(out->specular_front, first->specular_front, 301));
-      ASSERT_TRUE(!state.two_sided || !state.separate_specular || same_bits(out->specular_back, first->specular_back, 301));
+      ASSERT_TRUE(!state.two_sided || !state.separate_specular ||
+                  same_bits(out->specular_back, first->specular_back, 301));
     });
   }
 }

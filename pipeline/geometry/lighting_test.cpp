@@ -133,8 +133,10 @@ LightingState one_spot(float cutoff_cosine, float exponent) {
 TEST(SpotLight, ShinesInsideItsConeAndNowhereElse) {
   const LightingState state = one_spot(root_half, 0);
   for (const float sign : {-1.0f, 1.0f}) {
-    for (const float degrees : {0.0f, 10.0f, 44.99f}) EXPECT_FLOAT_EQ(seen_off_axis(state, sign * degrees), 1.0f) << degrees;
-    for (const float degrees : {45.01f, 90.0f, 135.0f, 180.0f}) EXPECT_EQ(seen_off_axis(state, sign * degrees), 0.0f) << degrees;
+    for (const float degrees : {0.0f, 10.0f, 44.99f})
+      EXPECT_FLOAT_EQ(seen_off_axis(state, sign * degrees), 1.0f) << degrees;
+    for (const float degrees : {45.01f, 90.0f, 135.0f, 180.0f})
+      EXPECT_EQ(seen_off_axis(state, sign * degrees), 0.0f) << degrees;
   }
 }
 

@@ -19,7 +19,8 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 template <bool normalize>
-HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const VertexBatch& batch, ProcessedArray<3>& out) {
+HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const VertexBatch& batch,
+                               ProcessedArray<3>& out) {
   const hn::CappedTag<double, 8> d;
   const hn::Rebind<float, decltype(d)> f;
   const auto count = static_cast<std::size_t>(batch.count);
@@ -37,7 +38,8 @@ HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const Ver
     }
     if constexpr (normalize) {
       const auto squared = hn::Add(hn::Add(hn::Mul(n[0], n[0]), hn::Mul(n[1], n[1])), hn::Mul(n[2], n[2]));
-      const auto has_direction = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Le(squared, hn::Set(d, std::numeric_limits<double>::max())));
+      const auto has_direction =
+          hn::And(hn::Gt(squared, hn::Zero(d)), hn::Le(squared, hn::Set(d, std::numeric_limits<double>::max())));
       const auto scale = hn::Div(hn::Set(d, 1), hn::Sqrt(squared));
       for (auto& component : n) component = hn::IfThenElseZero(has_direction, hn::Mul(component, scale));
     }

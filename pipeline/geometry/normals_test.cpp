@@ -43,7 +43,8 @@ TEST(Normals, GetUnitLengthIfNormalized) {
 
 TEST(Normals, WithoutADirectionNormalizeToZero) {
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
-  for (const glm::vec3& normal : {glm::vec3(0, 0, 0), glm::vec3(nan, 1, 0), glm::vec3(1, inf, 0), glm::vec3(0, 0, -inf)}) {
+  for (const glm::vec3& normal :
+       {glm::vec3(0, 0, 0), glm::vec3(nan, 1, 0), glm::vec3(1, inf, 0), glm::vec3(0, 0, -inf)}) {
     EXPECT_EQ(transformed(scaling(NormalScaling::normalize), normal), glm::vec3(0, 0, 0));
   }
 }
@@ -64,7 +65,8 @@ TEST(Normals, AreRoundedOnce) {
     double n[3] = {0, 0, 0}, squared = 0;
     for (int row = 0; row < 3; ++row) {
       for (int column = 0; column < 3; ++column) {
-        n[row] += static_cast<double>(state.normal_matrix[column][row]) * static_cast<double>(batch->normal_object[static_cast<std::size_t>(column)][i]);
+        n[row] += static_cast<double>(state.normal_matrix[column][row]) *
+                  static_cast<double>(batch->normal_object[static_cast<std::size_t>(column)][i]);
       }
       squared += n[row] * n[row];
     }
@@ -79,7 +81,8 @@ TEST(Normals, HaveTheSameBitsOnEveryTargetForAnyInput) {
     transform_normals(scaling(how, 1.7f), *batch, *first);
     for_each_target([&] {
       transform_normals(scaling(how, 1.7f), *batch, *out);
-      for (std::size_t k = 0; k < 3; ++k) EXPECT_TRUE(same_numbers(out->normal_eye[k], first->normal_eye[k], batch->count));
+      for (std::size_t k = 0; k < 3; ++k)
+        EXPECT_TRUE(same_numbers(out->normal_eye[k], first->normal_eye[k], batch->count));
     });
   }
 }

@@ -20,7 +20,8 @@ namespace gouraud::pipeline {
 /// Calls function() once for each instruction set that this machine has, with that one chosen.
 template <class Function>
 void for_each_target(const Function& function) {
-  for (const simd::Target target : {simd::Target::baseline, simd::Target::sse4, simd::Target::avx2, simd::Target::avx512}) {
+  for (const simd::Target target :
+       {simd::Target::baseline, simd::Target::sse4, simd::Target::avx2, simd::Target::avx512}) {
     if (!simd::target_supported(target)) continue;
     simd::set_target_for_test(target);
     SCOPED_TRACE(simd::target_name(target));
@@ -52,7 +53,8 @@ inline std::unique_ptr<VertexBatch> random_batch(unsigned seed, std::int32_t cou
   Numbers number(seed, wild);
   batch->count = count;
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    for (std::size_t k = 0; k < 4; ++k) batch->position_object[k][i] = k == 3 ? 1.0f + 0.5f * number() : 5.0f * number();
+    for (std::size_t k = 0; k < 4; ++k)
+      batch->position_object[k][i] = k == 3 ? 1.0f + 0.5f * number() : 5.0f * number();
     for (std::size_t k = 0; k < 3; ++k) batch->normal_object[k][i] = number();
     for (std::size_t k = 0; k < 4; ++k) batch->color[k][i] = 2.0f * number();
   }
@@ -72,7 +74,7 @@ bool same_bits(const Array& a, const Array& b, std::int32_t count) {
   return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(count) * sizeof(a[0])) == 0;
 }
 
-/// The same, but any NaN equals any other: compilers may swap the operands of a sum, and with them the payloads of NaNs.
+/// The same, but any NaN equals any other: compilers may swap a sum's operands, and with them the payloads of NaNs.
 template <std::size_t size>
 bool same_numbers(const std::array<float, size>& a, const std::array<float, size>& b, std::int32_t count) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {

@@ -24,7 +24,8 @@ void transform(const glm::mat4& matrix, const VertexBatch& batch, ProcessedArray
     const auto m0 = hn::Set(d, matrix[0][k]), m1 = hn::Set(d, matrix[1][k]);
     const auto m2 = hn::Set(d, matrix[2][k]), m3 = hn::Set(d, matrix[3][k]);
     for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-      const auto x = hn::Load(d, &in[0][i]), y = hn::Load(d, &in[1][i]), z = hn::Load(d, &in[2][i]), w = hn::Load(d, &in[3][i]);
+      const auto x = hn::Load(d, &in[0][i]), y = hn::Load(d, &in[1][i]), z = hn::Load(d, &in[2][i]),
+                 w = hn::Load(d, &in[3][i]);
       const auto xy = hn::Add(hn::Mul(x, m0), hn::Mul(y, m1));
       hn::Store(hn::Add(hn::Add(xy, hn::Mul(z, m2)), hn::Mul(w, m3)), d, &out[row][i]);
     }

@@ -20,7 +20,8 @@ TransformState random_transform(unsigned seed, bool wild = false) {
 /// One product and one sum after the other, each rounded to float.
 float plain(const glm::mat4& m, const VertexBatch& batch, std::size_t i, int row) {
   const auto& in = batch.position_object;
-  const volatile float x = in[0][i] * m[0][row], y = in[1][i] * m[1][row], z = in[2][i] * m[2][row], w = in[3][i] * m[3][row];
+  const volatile float x = in[0][i] * m[0][row], y = in[1][i] * m[1][row], z = in[2][i] * m[2][row],
+                       w = in[3][i] * m[3][row];
   volatile float sum = x + y;
   sum = sum + z;
   sum = sum + w;
@@ -65,7 +66,8 @@ TEST(Transform, GivesTheSameBitsOnEveryTargetForAnyInput) {
   transform_to_clip(state, *batch, *first);
   for_each_target([&] {
     transform_to_clip(state, *batch, *out);
-    for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(same_numbers(out->position_clip[k], first->position_clip[k], batch->count));
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_TRUE(same_numbers(out->position_clip[k], first->position_clip[k], batch->count));
   });
 }
 

@@ -28,9 +28,11 @@ void project(const ViewportTransform& viewport, ProcessedVertices& vertices) {
   const auto flag = [&](auto mask, Outcode bit) HWY_ATTR {
     return hn::BitCast(di, hn::IfThenElseZero(mask, hn::BitCast(d, hn::Set(di, bit))));
   };
-  const auto is_finite = [&](auto v) HWY_ATTR { return hn::Le(hn::Abs(v), hn::Set(d, std::numeric_limits<float>::max())); };
+  const auto is_finite = [&](auto v)
+                             HWY_ATTR { return hn::Le(hn::Abs(v), hn::Set(d, std::numeric_limits<float>::max())); };
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto x = hn::Load(d, &clip[0][i]), y = hn::Load(d, &clip[1][i]), z = hn::Load(d, &clip[2][i]), w = hn::Load(d, &clip[3][i]);
+    const auto x = hn::Load(d, &clip[0][i]), y = hn::Load(d, &clip[1][i]), z = hn::Load(d, &clip[2][i]),
+               w = hn::Load(d, &clip[3][i]);
     const auto minus_w = hn::Neg(w);
     const auto across = hn::Or(flag(hn::Gt(x, w), outside_right), flag(hn::Lt(x, minus_w), outside_left));
     const auto upright = hn::Or(flag(hn::Gt(y, w), outside_top), flag(hn::Lt(y, minus_w), outside_bottom));
@@ -45,7 +47,8 @@ void project(const ViewportTransform& viewport, ProcessedVertices& vertices) {
     hn::Store(hn::DemoteTo(d16, hn::Or(planes, flag(invalid, outside_invalid))), d16, &vertices.outcode[i]);
 
     const auto to_window = [&](auto coordinate, std::size_t k) HWY_ATTR {
-      return hn::Add(hn::Mul(hn::Mul(coordinate, w_inverse), hn::Set(d, viewport.scale[k])), hn::Set(d, viewport.translation[k]));
+      return hn::Add(hn::Mul(hn::Mul(coordinate, w_inverse), hn::Set(d, viewport.scale[k])),
+                     hn::Set(d, viewport.translation[k]));
     };
     hn::StoreInterleaved4(to_window(x, 0), to_window(y, 1), to_window(z, 2), w_inverse, d, &vertices.window[i].x);
   }
@@ -58,7 +61,8 @@ HWY_AFTER_NAMESPACE();
 namespace gouraud::pipeline {
 
 ViewportTransform make_viewport_transform(const ViewportState& state) {
-  const float half_width = static_cast<float>(state.width_px) * 0.5f, half_height = static_cast<float>(state.height_px) * 0.5f;
+  const float half_width = static_cast<float>(state.width_px) * 0.5f,
+              half_height = static_cast<float>(state.height_px) * 0.5f;
   return {{half_width, -half_height, static_cast<float>((state.depth_far - state.depth_near) * 0.5)},
           {half_width + static_cast<float>(state.x),
            static_cast<float>(state.target_height_px) - (half_height + static_cast<float>(state.y)),
@@ -74,7 +78,9 @@ bool project_vertex(const ViewportState& state, ProcessedVertices& vertices, std
   const auto i = static_cast<std::size_t>(index);
   const auto& clip = vertices.position_clip;
   const float w_inverse = 1.0f / clip[3][i];
-  const auto to_window = [&](std::size_t k) { return (clip[k][i] * w_inverse) * viewport.scale[k] + viewport.translation[k]; };
+  const auto to_window = [&](std::size_t k) {
+    return (clip[k][i] * w_inverse) * viewport.scale[k] + viewport.translation[k];
+  };
   // A vertex on the clip volume's surface lies in the viewport; where coordinates were too large for the clipper's
   // floats, rounding may have thrown it anywhere. One pixel beyond is rounding that Mesa has too.
   const auto near_viewport = [&](float position, std::size_t k) {
@@ -82,8 +88,10 @@ bool project_vertex(const ViewportState& state, ProcessedVertices& vertices, std
     return std::clamp(position, viewport.translation[k] - reach, viewport.translation[k] + reach);
   };
   WindowVertex window{to_window(0), to_window(1), to_window(2), w_inverse};
-  const bool finite = std::isfinite(window.x) && std::isfinite(window.y_raster) && std::isfinite(window.z) && std::isfinite(w_inverse);
-  if (finite) window = {near_viewport(window.x, 0), near_viewport(window.y_raster, 1), near_viewport(window.z, 2), w_inverse};
+  const bool finite =
+      std::isfinite(window.x) && std::isfinite(window.y_raster) && std::isfinite(window.z) && std::isfinite(w_inverse);
+  if (finite)
+    window = {near_viewport(window.x, 0), near_viewport(window.y_raster, 1), near_viewport(window.z, 2), w_inverse};
   vertices.window[i] = window;
   vertices.outcode[i] = finite ? 0 : outside_invalid;
   return finite;

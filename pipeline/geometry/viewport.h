@@ -15,8 +15,8 @@ struct ViewportTransform {
 };
 ViewportTransform make_viewport_transform(const ViewportState& state);
 
-/// Fills the outcodes of all `count` vertices, and window positions where the outcode is 0. Mesa's bits (MESA-RULES 2.3,
-/// 2.4): in float, (clip * (1 / w)) * scale + translation, each step rounded.
+/// Fills the outcodes of all `count` vertices, and window positions where the outcode is 0. Mesa's bits
+/// (MESA-RULES 2.3, 2.4): in float, (clip * (1 / w)) * scale + translation, each step rounded.
 ///
 /// A vertex is `outside_invalid` if a coordinate is NaN or infinite, or if it lies inside all planes but has no finite
 /// window position (w = 0).

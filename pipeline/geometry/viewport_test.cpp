@@ -62,7 +62,8 @@ TEST(Outcode, IsClearOnThePlanesThemselves) {
 }
 
 TEST(Outcode, BehindTheEyeIsOutsideOfBothPlanesOfAnAxis) {
-  EXPECT_EQ(project(whole, {0, 0, 0, -1}).outcode, unsigned{outside_right | outside_left | outside_top | outside_bottom | outside_near | outside_far});
+  EXPECT_EQ(project(whole, {0, 0, 0, -1}).outcode,
+            unsigned{outside_right | outside_left | outside_top | outside_bottom | outside_near | outside_far});
 }
 
 TEST(Outcode, IsInvalidWithoutFiniteCoordinates) {

@@ -48,12 +48,12 @@ struct ElementaryTraits<float> {
   static constexpr float integer_base = 0x1p23f, rounding_magic = 0x1.8p23f, smallest_normal = 0x1p-126f;
   static constexpr float exp2_lowest = -126.0f, exp2_highest = 127.0f;
   /// log2(1 + t) / t for t in [sqrt(1/2) - 1, sqrt(2) - 1]; |t P(t) - log2(1 + t)| <= 8e-9.
-  static constexpr float log2_polynomial[] = {1.4426948955708856f,  -0.72134713711451963f, 0.48092065298469268f,
-                                              -0.36072015380236760f, 0.28769387086434898f, -0.23855062857359674f,
+  static constexpr float log2_polynomial[] = {1.4426948955708856f,   -0.72134713711451963f, 0.48092065298469268f,
+                                              -0.36072015380236760f, 0.28769387086434898f,  -0.23855062857359674f,
                                               0.21713327934798122f,  -0.21006042599106294f, 0.12569628233764014f};
   /// (2^f - 1) / f for f in [-1/2, 1/2]; 2^f within 5e-11.
-  static constexpr float exp2_polynomial[] = {0.69314718069952832f,   0.24022651061015812f,  0.055504103733794256f,
-                                              0.0096180387885104085f, 0.0013333932471252492f, 0.00015466577299142443f,
+  static constexpr float exp2_polynomial[] = {0.69314718069952832f,    0.24022651061015812f,   0.055504103733794256f,
+                                              0.0096180387885104085f,  0.0013333932471252492f, 0.00015466577299142443f,
                                               0.000015196294020489082f};
 };
 
@@ -65,15 +65,14 @@ struct ElementaryTraits<double> {
   static constexpr double integer_base = 0x1p52, rounding_magic = 0x1.8p52, smallest_normal = 0x1p-1022;
   static constexpr double exp2_lowest = -1000.0, exp2_highest = 400.0;
   /// As above; |t P(t) - log2(1 + t)| <= 1.9e-10.
-  static constexpr double log2_polynomial[] = {1.4426950450081091684,   -0.72134751052347130895, 0.48089740651950828336,
-                                               -0.36067425125058978302, 0.28859510825307052779,  -0.24047886854777499558,
-                                               0.20476742793475905071,  -0.17857038639535546182, 0.17340918602261190613,
-                                               -0.17136289389092660197, 0.097095622127935123977};
+  static constexpr double log2_polynomial[] = {
+      1.4426950450081091684,  -0.72134751052347130895, 0.48089740651950828336, -0.36067425125058978302,
+      0.28859510825307052779, -0.24047886854777499558, 0.20476742793475905071, -0.17857038639535546182,
+      0.17340918602261190613, -0.17136289389092660197, 0.097095622127935123977};
   /// As above; 2^f within 5e-11.
-  static constexpr double exp2_polynomial[] = {0.69314718069952831765,    0.24022651061015811318,
-                                               0.055504103733794256107,   0.0096180387885104085205,
-                                               0.0013333932471252491997,  0.0001546657729914244313,
-                                               0.000015196294020489082491};
+  static constexpr double exp2_polynomial[] = {
+      0.69314718069952831765,   0.24022651061015811318,   0.055504103733794256107,   0.0096180387885104085205,
+      0.0013333932471252491997, 0.0001546657729914244313, 0.000015196294020489082491};
 };
 
 /// c[0] + c[1] x + ... by Horner's rule.
@@ -84,16 +83,17 @@ HWY_INLINE V polynomial(D d, const hn::TFromD<D> (&c)[terms], V x) {
   return sum;
 }
 
-/// log2 of the lanes of x. What is not a positive normal number (NaN too) counts as the smallest one; infinity gives the
-/// first exponent past the largest number's. Exact for powers of two.
-/// Error: double 2.5e-10, near x = 1 also 2e-8 relative; float the larger of 1.2e-7 and 0.9e-7 relative.
+/// log2 of the lanes of x. What is not a positive normal number (NaN too) counts as the smallest one; infinity gives
+/// the first exponent past the largest number's. Exact for powers of two. Error: double 2.5e-10, near x = 1 also 2e-8
+/// relative; float the larger of 1.2e-7 and 0.9e-7 relative.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V log2(D d, V x) {
   using Traits = ElementaryTraits<hn::TFromD<D>>;
   const hn::RebindToUnsigned<D> du;
   const auto bits = hn::BitCast(du, at_least(d, x, hn::Set(d, Traits::smallest_normal)));
   // x = 2^e (1 + t), with 1 + t in [sqrt(1/2), sqrt(2)]; `biased` is e + the exponent's bias.
-  const auto biased = hn::ShiftRight<Traits::mantissa_bits>(hn::Add(bits, hn::Set(du, Traits::one_bits - Traits::sqrt_half_bits)));
+  const auto biased =
+      hn::ShiftRight<Traits::mantissa_bits>(hn::Add(bits, hn::Set(du, Traits::one_bits - Traits::sqrt_half_bits)));
   const auto one = hn::Set(du, Traits::one_bits);
   const auto reduced = hn::Sub(hn::Add(bits, one), hn::ShiftLeft<Traits::mantissa_bits>(biased));
   const V t = hn::Sub(hn::BitCast(d, reduced), hn::Set(d, 1));

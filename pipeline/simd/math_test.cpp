@@ -23,7 +23,8 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 
 /// Applies `function` to x and y, whose sizes are a multiple of 16.
 template <class T, class Function>
-HWY_INLINE void for_lanes(const std::vector<T>& x, const std::vector<T>& y, std::vector<T>& out, const Function& function) {
+HWY_INLINE void for_lanes(const std::vector<T>& x, const std::vector<T>& y, std::vector<T>& out,
+                          const Function& function) {
   const hn::CappedTag<T, 16> d;
   for (std::size_t i = 0; i < x.size(); i += hn::Lanes(d)) {
     hn::StoreU(function(d, hn::LoadU(d, x.data() + i), hn::LoadU(d, y.data() + i)), d, out.data() + i);
@@ -42,10 +43,18 @@ void pow_all(const std::vector<double>& x, const std::vector<double>& y, std::ve
   for_lanes(x, y, out, [](auto d, auto a, auto b) HWY_ATTR { return pow(d, a, b); });
 }
 
-void log2_double(const std::vector<double>& x, const std::vector<double>& y, std::vector<double>& out) { log2_all(x, y, out); }
-void log2_float(const std::vector<float>& x, const std::vector<float>& y, std::vector<float>& out) { log2_all(x, y, out); }
-void exp2_double(const std::vector<double>& x, const std::vector<double>& y, std::vector<double>& out) { exp2_all(x, y, out); }
-void exp2_float(const std::vector<float>& x, const std::vector<float>& y, std::vector<float>& out) { exp2_all(x, y, out); }
+void log2_double(const std::vector<double>& x, const std::vector<double>& y, std::vector<double>& out) {
+  log2_all(x, y, out);
+}
+void log2_float(const std::vector<float>& x, const std::vector<float>& y, std::vector<float>& out) {
+  log2_all(x, y, out);
+}
+void exp2_double(const std::vector<double>& x, const std::vector<double>& y, std::vector<double>& out) {
+  exp2_all(x, y, out);
+}
+void exp2_float(const std::vector<float>& x, const std::vector<float>& y, std::vector<float>& out) {
+  exp2_all(x, y, out);
+}
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -70,7 +79,8 @@ std::vector<T> apply(Chooser<T> chooser, const std::vector<T>& x, const std::vec
 template <class T>
 std::vector<T> apply_on_all_targets(Chooser<T> chooser, const std::vector<T>& x, const std::vector<T>& y) {
   const std::vector<T> best = apply(chooser, x, y);
-  for (const simd::Target target : {simd::Target::baseline, simd::Target::sse4, simd::Target::avx2, simd::Target::avx512}) {
+  for (const simd::Target target :
+       {simd::Target::baseline, simd::Target::sse4, simd::Target::avx2, simd::Target::avx512}) {
     if (!simd::target_supported(target)) continue;
     simd::set_target_for_test(target);
     const std::vector<T> other = apply(chooser, x, y);
@@ -80,11 +90,21 @@ std::vector<T> apply_on_all_targets(Chooser<T> chooser, const std::vector<T>& x,
   return best;
 }
 
-Kernel<double> log2_of_doubles() { return GOURAUD_SIMD_PICK(log2_double); }
-Kernel<float> log2_of_floats() { return GOURAUD_SIMD_PICK(log2_float); }
-Kernel<double> exp2_of_doubles() { return GOURAUD_SIMD_PICK(exp2_double); }
-Kernel<float> exp2_of_floats() { return GOURAUD_SIMD_PICK(exp2_float); }
-Kernel<double> pow_of_doubles() { return GOURAUD_SIMD_PICK(pow_all); }
+Kernel<double> log2_of_doubles() {
+  return GOURAUD_SIMD_PICK(log2_double);
+}
+Kernel<float> log2_of_floats() {
+  return GOURAUD_SIMD_PICK(log2_float);
+}
+Kernel<double> exp2_of_doubles() {
+  return GOURAUD_SIMD_PICK(exp2_double);
+}
+Kernel<float> exp2_of_floats() {
+  return GOURAUD_SIMD_PICK(exp2_float);
+}
+Kernel<double> pow_of_doubles() {
+  return GOURAUD_SIMD_PICK(pow_all);
+}
 
 constexpr std::size_t sample_count = 1 << 18;
 
@@ -121,7 +141,8 @@ TEST(Log2, OfDoublesIsWithinItsBound) {
 
 TEST(Log2, OfDoublesNearOneIsRelativelyExact) {
   const std::vector<double> x = evenly<double>(1 - 1e-5, 1 + 1e-5), got = apply_on_all_targets(log2_of_doubles, x, x);
-  for (std::size_t i = 0; i < x.size(); ++i) ASSERT_LE(std::abs(got[i] - std::log2(x[i])), 2e-8 * std::abs(std::log2(x[i])));
+  for (std::size_t i = 0; i < x.size(); ++i)
+    ASSERT_LE(std::abs(got[i] - std::log2(x[i])), 2e-8 * std::abs(std::log2(x[i])));
 }
 
 TEST(Log2, OfFloatsIsWithinItsBound) {
