@@ -124,9 +124,11 @@ void many_tiny_begin_ends(const GlTable& gl) {
     const float x = static_cast<float>(4 * (i % 64)), y = static_cast<float>(4 * (i / 64));
     color_of(gl, random);
     gl.Begin(GL_TRIANGLES);
-    gl.Vertex2f(x + random.range(0, 1), y + random.range(0, 1));
-    gl.Vertex2f(x + random.range(3, 5), y + random.range(0, 1));
-    gl.Vertex2f(x + random.range(1, 3), y + random.range(3, 5));
+    const float left = random.range(0, 1), right = random.range(3, 5), middle = random.range(1, 3);
+    const float top = random.range(3, 5);
+    gl.Vertex2f(x + left, y + random.range(0, 1));
+    gl.Vertex2f(x + right, y + random.range(0, 1));
+    gl.Vertex2f(x + middle, y + top);
     gl.End();
   }
 }

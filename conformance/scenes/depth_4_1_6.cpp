@@ -95,7 +95,8 @@ void depth_mask_off(const GlTable& gl) {
     gl.DepthMask(i % 3 == 0 ? GL_TRUE : GL_FALSE);
     const float x = random.range(5, 150), y = random.range(5, 150), z = random.range(-0.9f, 0.9f);
     color_of(gl, random);
-    draw_rectangle(gl, x, y, x + random.range(30, 100), y + random.range(30, 100), z);
+    const float width = random.range(30, 100), height = random.range(30, 100);
+    draw_rectangle(gl, x, y, x + width, y + height, z);
   }
   gl.DepthMask(GL_FALSE);
   gl.ClearDepth(0);

@@ -147,7 +147,8 @@ void lines_50k(const GlTable& gl) {
     const float x = random.range(10, 246), y = random.range(10, 246);
     color_of(gl, random);
     gl.Vertex2f(x, y);
-    gl.Vertex2f(x + random.range(-9, 9), y + random.range(-9, 9));
+    const float dx = random.range(-9, 9), dy = random.range(-9, 9);
+    gl.Vertex2f(x + dx, y + dy);
   }
   gl.End();
 }

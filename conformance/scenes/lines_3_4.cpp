@@ -94,7 +94,8 @@ void lines_short(const GlTable& gl) {
       const float x = 8 * static_cast<float>(column) + random.range(0, 8),
                   y = 8 * static_cast<float>(row) + random.range(0, 8);
       gl.Vertex2f(x, y);
-      gl.Vertex2f(x + random.range(-8, 8), y + random.range(-8, 8));
+      const float dx = random.range(-8, 8), dy = random.range(-8, 8);
+      gl.Vertex2f(x + dx, y + dy);
     }
   }
   gl.End();

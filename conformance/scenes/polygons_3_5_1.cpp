@@ -102,7 +102,8 @@ void slivers(const GlTable& gl) {
     color_of(gl, random);
     gl.Vertex2f(x0, y0);
     gl.Vertex2f(x1, y1);
-    gl.Vertex2f(x1 + random.range(-1, 1), y1 + random.range(-1, 1));
+    const float dx = random.range(-1, 1), dy = random.range(-1, 1);
+    gl.Vertex2f(x1 + dx, y1 + dy);
   }
   gl.End();
 }

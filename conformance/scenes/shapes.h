@@ -10,7 +10,7 @@
 
 namespace gouraud::conformance {
 
-/// A small deterministic generator (xorshift32).
+/// A small deterministic generator (xorshift32). One call an argument list: compilers evaluate arguments in any order.
 class Random {
  public:
   explicit Random(std::uint32_t seed) : state_(seed) {}
