@@ -56,10 +56,14 @@ def child(*command, **kwargs):
 
 @contextlib.contextmanager
 def x_server(folder):
-    """An Xvfb on a display number of its own choice; gives the environment of its clients."""
+    """An Xvfb on a display number of its own choice; gives the environment of its clients.
+
+    -noreset: otherwise the server starts anew, and refuses connections meanwhile, when its only client, such as a search
+    for the window that comes before the demo, leaves.
+    """
     read_end, write_end = os.pipe()
     with open(os.path.join(folder, "xvfb.log"), "w", encoding="utf-8") as log:
-        with child("Xvfb", "-displayfd", str(write_end), "-screen", "0", SCREEN, "-nolisten", "tcp",
+        with child("Xvfb", "-displayfd", str(write_end), "-screen", "0", SCREEN, "-nolisten", "tcp", "-noreset",
                    pass_fds=[write_end], stderr=log):
             os.close(write_end)
             with os.fdopen(read_end) as numbers:
