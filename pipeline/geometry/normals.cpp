@@ -25,6 +25,8 @@ HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const Ver
   const hn::Rebind<float, decltype(d)> f;
   const auto count = static_cast<std::size_t>(batch.count);
   const auto& in = batch.normal_object;
+  [[maybe_unused]] const auto largest_double = hn::Set(d, std::numeric_limits<double>::max());
+  [[maybe_unused]] const auto largest_float = hn::Set(d, std::numeric_limits<float>::max());
   hn::Vec<decltype(d)> m[3][3];
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) m[column][row] = hn::Set(d, static_cast<double>(matrix[column][row]) * factor);
@@ -38,16 +40,14 @@ HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const Ver
     }
     if constexpr (normalize) {
       const auto squared = hn::Add(hn::Add(hn::Mul(n[0], n[0]), hn::Mul(n[1], n[1])), hn::Mul(n[2], n[2]));
-      const auto has_direction =
-          hn::And(hn::Gt(squared, hn::Zero(d)), hn::Le(squared, hn::Set(d, std::numeric_limits<double>::max())));
+      const auto has_direction = hn::And(hn::Gt(squared, hn::Zero(d)), hn::Le(squared, largest_double));
       const auto scale = hn::Div(hn::Set(d, 1), hn::Sqrt(squared));
       for (auto& component : n) component = hn::IfThenElseZero(has_direction, hn::Mul(component, scale));
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
+    } else {
       // Targets disagree about what infinity becomes as a float.
-      const auto finite = hn::Le(hn::Abs(n[k]), hn::Set(d, std::numeric_limits<float>::max()));
-      hn::Store(hn::DemoteTo(f, hn::IfThenElseZero(finite, n[k])), f, &out[k][i]);
+      for (auto& component : n) component = hn::IfThenElseZero(hn::Le(hn::Abs(component), largest_float), component);
     }
+    for (std::size_t k = 0; k < 3; ++k) hn::Store(hn::DemoteTo(f, n[k]), f, &out[k][i]);
   }
 }
 
