@@ -10,7 +10,7 @@ namespace gouraud::conformance {
 namespace {
 
 constexpr int amplification = 64;
-constexpr double grey_of_one = 128.0;
+constexpr double rounding = 0.5, grey_of_one = 128.0;
 
 /// Calls shade(pixel, out) where both or neither picture is covered, and marks the other pixels.
 template <class Shade>
@@ -43,7 +43,8 @@ RgbImage difference_map(const Picture& ours, const Picture& other) {
 RgbImage error_map(const Picture& picture, const Picture& oracle) {
   return map_pixels(picture, oracle, [&](std::size_t pixel, std::uint8_t* out) {
     const double error = measure_pixel(picture, *oracle.exact, pixel).color;
-    const auto grey = static_cast<std::uint8_t>(std::min(error * grey_of_one, 255.0));
+    const double beyond_rounding = std::max(error - rounding, 0.0) / (1.0 - rounding);
+    const auto grey = static_cast<std::uint8_t>(std::min(beyond_rounding * grey_of_one, 255.0));
     std::fill(out, out + 3, grey);
   });
 }

@@ -92,7 +92,7 @@ void write_pictures(std::ostream& out, std::string_view candidate, const SceneRe
     write_figure(out, "difference from llvmpipe, times 64", difference_map(*ours, *llvmpipe));
   }
   if (oracle != nullptr && same_size(*ours, *oracle)) {
-    write_figure(out, "error against the oracle, 1/255 is mid grey", error_map(*ours, *oracle));
+    write_figure(out, "error against the oracle: black is best, 1/255 mid grey", error_map(*ours, *oracle));
   }
 }
 

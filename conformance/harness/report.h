@@ -40,7 +40,8 @@ class Report {
 /// so that 1/255 is visible); magenta where only ours is covered, cyan where only the other is.
 RgbImage difference_map(const Picture& ours, const Picture& other);
 
-/// Colour error of a picture against the oracle's exact one, 1/255 as mid grey; coverage as in difference_map.
+/// Colour error of a picture against the oracle's exact one: black up to 0.5/255, which rounding costs, and mid grey at
+/// 1/255; coverage as in difference_map.
 RgbImage error_map(const Picture& picture, const Picture& oracle);
 
 }  // namespace gouraud::conformance
