@@ -80,7 +80,7 @@ struct Renderer::Implementation {
   bool dirty = false;
 
   // Of the batch being drawn.
-  SetupState setup;
+  const SetupState* setup = nullptr;
   ViewportState viewport;
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
   bool unfilled = false;
@@ -109,23 +109,22 @@ void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) 
 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
-  const std::size_t bytes = record_size(setup);
-  auto* records = static_cast<std::byte*>(bins.allocate_record(ready.size() * bytes));
-  const std::size_t made = setup_triangles(setup, vertices, ready, records);
-  bins.take_back((ready.size() - made) * bytes);
-  for (std::size_t i = 0; i < made; ++i) bins.add_polygon(*reinterpret_cast<PrimitiveRecord*>(records + i * bytes));
+  auto* waiting = static_cast<WaitingTriangle*>(bins.allocate(ready.size() * sizeof(WaitingTriangle)));
+  const std::size_t selected = select_triangles(*setup, vertices, ready, waiting);
+  bins.take_back((ready.size() - selected) * sizeof(WaitingTriangle));
+  for (std::size_t i = 0; i < selected; ++i) bins.add_triangle(waiting[i]);
   ready.clear();
 }
 
 /// Polygon modes [GL1.5 §3.5.4]: the face decides between filling, the boundary edges and their vertices.
 /// choice: edges 2-0, 0-1, 1-2, as Mesa (MESA-RULES 5.5): a polygon's fan then gives the polygon's edges in order.
 void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) {
-  const bool front = faces_front(setup, vertices, triangle);
-  if (is_culled(setup.cull, front)) return;
+  const bool front = faces_front(*setup, vertices, triangle);
+  if (is_culled(setup->cull, front)) return;
   const PolygonMode mode = front ? mode_front : mode_back;
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
   flush_triangles();
-  const bool back = setup.two_sided && !front;
+  const bool back = setup->two_sided && !front;
   const std::size_t first = mode == PolygonMode::line ? 2 : 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t k = (first + i) % 3;
@@ -155,11 +154,11 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
   const std::int32_t count = vertices.count;
   const unsigned outcodes = vertices.outcode[line.vertex[0]] | vertices.outcode[line.vertex[1]];
   if (outcodes == 0 || clip_line(line, viewport, clip_attributes, vertices)) {
-    const std::size_t bytes = record_size(setup);
-    void* record = bins.allocate_record(bytes);
+    const std::size_t bytes = record_size(*setup);
+    void* record = bins.allocate(bytes);
     pixels.clear();
-    if (setup_line(setup, vertices, line, record, pixels)) {
-      bins.add_pixels(*static_cast<PrimitiveRecord*>(record), pixels, setup.scissor);
+    if (setup_line(*setup, vertices, line, record, pixels)) {
+      bins.add_pixels(*static_cast<PrimitiveRecord*>(record), pixels, setup->scissor);
     } else {
       bins.take_back(bytes);
     }
@@ -170,9 +169,9 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
 void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   if (vertices.outcode[point.vertex] != 0) return;
   PixelPosition pixel;
-  void* record = bins.allocate_record(record_size(setup));
-  if (setup_point(setup, vertices, point, record, pixel)) {
-    bins.add_pixels(*static_cast<PrimitiveRecord*>(record), {&pixel, 1}, setup.scissor);
+  void* record = bins.allocate(record_size(*setup));
+  if (setup_point(*setup, vertices, point, record, pixel)) {
+    bins.add_pixels(*static_cast<PrimitiveRecord*>(record), {&pixel, 1}, setup->scissor);
   }
 }
 
@@ -201,14 +200,12 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   if (!plan.draws) return;
 
   // What this draw needs of the stages after the vertices.
-  self.setup = make_setup_state(state, plan, *target());
-  const RasterBinding* binding = self.bins.intern({state.raster, plan.fragment});
-  self.setup.binding = binding;
+  self.setup = self.bins.intern(make_setup_state(state, plan, *target()), {state.raster, plan.fragment});
   self.viewport = state.viewport;
   self.mode_front = state.assembly.polygon_mode_front;
   self.mode_back = state.assembly.polygon_mode_back;
   self.unfilled = self.mode_front != PolygonMode::fill || self.mode_back != PolygonMode::fill;
-  self.clip_attributes = {plan.eye_positions, plan.colors, self.setup.two_sided, self.setup.separate_specular};
+  self.clip_attributes = {plan.eye_positions, plan.colors, self.setup->two_sided, self.setup->separate_specular};
   self.dirty = true;
 
   // Vertices, then primitives in order.

@@ -46,14 +46,15 @@ class TileBins {
   void set_target(Framebuffer* target);
   Framebuffer* target() const { return target_; }
 
-  /// The shared copy of a binding, good until the next run(). Equal consecutive bindings share one.
-  const RasterBinding* intern(const RasterBinding& binding);
+  /// The shared copies of what a draw's primitives refer to, good until the next run(). Equal consecutive ones share.
+  /// `setup.binding` is replaced by the copy of `binding`.
+  const SetupState* intern(SetupState setup, const RasterBinding& binding);
 
-  /// Room for a record that add_polygon or add_pixels will then take, or take_back().
-  void* allocate_record(std::size_t bytes) { return arena_.allocate(bytes); }
+  /// Memory until the next run(), 64-byte aligned, for triangles and records; take_back() returns the end of the last.
+  void* allocate(std::size_t bytes) { return arena_.allocate(bytes); }
   void take_back(std::size_t bytes) { arena_.take_back(bytes); }
 
-  void add_polygon(const PrimitiveRecord& record);
+  void add_triangle(const WaitingTriangle& triangle);
   /// Fragments at these pixels, each once; those outside `scissor` are left out.
   void add_pixels(const PrimitiveRecord& record, std::span<const PixelPosition> pixels, const PixelRect& scissor);
   void add_clear(const ClearState& state);
@@ -65,20 +66,27 @@ class TileBins {
   void run();
 
  private:
-  enum class EntryKind : std::uint8_t { polygon, blocks, clear };
+  /// A small triangle waits for its setup by the tile, a polygon has been set up because many tiles share it.
+  enum class EntryKind : std::uint8_t { triangle, polygon, blocks, clear };
   struct Entry {
-    const void* what = nullptr;  ///< PrimitiveRecord, or ClearState
+    const void* what = nullptr;  ///< WaitingTriangle, PrimitiveRecord (polygon, blocks) or ClearState
     const BlockMask* blocks = nullptr;
     std::int32_t block_count = 0;
     EntryKind kind = EntryKind::polygon;
   };
   void add(std::int32_t tile, const Entry& entry);
+  void add_polygon(const PrimitiveRecord& record);
   void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
   void run_tile(std::int32_t tile, PolygonRasterizer rasterize);
+  /// Entry `i` of the bin and the triangles of equal state right after it. Returns the number of entries done.
+  static std::size_t run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
+                                   PolygonRasterizer rasterize);
+  void prefetch(const Entry& entry) const;
 
   Framebuffer* target_ = nullptr;
   Arena arena_;
   std::deque<RasterBinding> bindings_;
+  std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
   std::vector<std::vector<Entry>> bins_;
   std::vector<std::int32_t> touched_;  ///< tiles with entries

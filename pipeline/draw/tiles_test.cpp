@@ -36,8 +36,8 @@ class Canvas {
     FragmentPasses passes;
     if (state.depth.test_enabled) passes.add(depth_test_pass(state.depth.func, DepthFormat::z24s8));
     passes.add(color_write_pass(ColorFormat::rgba8, state.color_write_mask));
-    setup.binding = bins.intern({state, passes});
     setup.scissor = state.scissor;
+    const SetupState* shared = bins.intern(setup, {state, passes});
     std::vector<AssembledTriangle> assembled;
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -46,10 +46,8 @@ class Canvas {
         vertices->color_front[k] = v.color;
       }
       const AssembledTriangle triangle{{0, 1, 2}, 2, 7};
-      auto* record = static_cast<std::byte*>(bins.allocate_record(record_size(setup)));
-      if (setup_triangles(setup, *vertices, {&triangle, 1}, record) == 1) {
-        bins.add_polygon(*reinterpret_cast<PrimitiveRecord*>(record));
-      }
+      auto* waiting = static_cast<WaitingTriangle*>(bins.allocate(sizeof(WaitingTriangle)));
+      if (select_triangles(*shared, *vertices, {&triangle, 1}, waiting) == 1) bins.add_triangle(*waiting);
     }
     bins.run();
   }

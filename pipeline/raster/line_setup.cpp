@@ -113,8 +113,10 @@ bool setup_line(const SetupState& state, const ProcessedVertices& vertices, cons
   shaded[0].color = color_of_vertex(state, vertices, line.vertex[0], line.back);
   shaded[1].color = shaded[2].color = color_of_vertex(state, vertices, line.vertex[1], line.back);
   make_color_planes(basis, shaded, state.targets, color);
-  if (color.variation != ColorVariation::constant) {
-    color.clamp = true;
+  // Beyond an end a line is extrapolated too, up to what a color can be; in perspective only up to the ends' colors,
+  // because 1/w may pass zero there.
+  color.clamp = color.variation != ColorVariation::constant;
+  if (color.variation == ColorVariation::affine) {
     color.minimum.fill(0.0f);
     color.maximum.fill(state.targets.color_scale);
   }

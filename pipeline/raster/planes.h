@@ -37,6 +37,7 @@ struct PlaneTargets {
   double depth_scale = 0;   ///< buffer units for depth 1; 1 for float depth
   bool depth_is_float = false;
   float color_scale = 1;    ///< colours are stored times this
+  bool operator==(const PlaneTargets&) const = default;
 };
 
 /// A sample inside the snapped primitive is a convex combination of its vertices moved by at most half a sub-pixel a

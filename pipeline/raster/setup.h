@@ -4,6 +4,7 @@
 // functions in exact integers, planes of depth and colour.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -27,6 +28,7 @@ struct SetupState {
   bool two_sided = false;          ///< back faces take color_back
   bool separate_specular = false;  ///< the secondary colour is added here: without texture the sum is linear
   PlaneTargets targets{};
+  bool operator==(const SetupState&) const = default;
 };
 
 /// Bytes of the record that setup writes.
@@ -46,14 +48,28 @@ inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& ve
   return color;
 }
 
-/// Most triangles that one call of setup_triangles takes.
+/// A triangle that will touch pixels, before its setup. A third of a record: small ones wait like this in the bins, so
+/// that more of them meet in a tile while it is in the cache, and the tile sets them up.
+struct alignas(64) WaitingTriangle {
+  std::array<WindowVertex, 3> window;
+  std::array<Rgba, 3> color;  ///< of the side that faces the viewer; flat: the first is the provoking vertex's
+  const SetupState* state;
+  std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
+  bool scissored;               ///< the scissor cuts its box
+};
+static_assert(sizeof(WaitingTriangle) == 128);
+
+/// Most triangles that one call of select_triangles or setup_triangles takes.
 inline constexpr std::size_t setup_batch = 32;
 
-/// Sets up filled triangles, one record after the other in `records` (record_size bytes each, 64-byte aligned, room for
-/// all). Leaves out those that draw nothing: culled, without area after snapping, or between the samples. Returns the
-/// number of records made; their order is the triangles'.
-std::size_t setup_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                            std::span<const AssembledTriangle> triangles, std::byte* records);
+/// Copies the triangles that draw something to `out`, in order, and returns their number. Left out are those that are
+/// culled, without area after snapping, or between the samples.
+std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
+                             std::span<const AssembledTriangle> triangles, WaitingTriangle* out);
+
+/// Sets up triangles of one state: their records, one after the other, in `records` (record_size bytes each, 64-byte
+/// aligned).
+void setup_triangles(std::span<const WaitingTriangle* const> triangles, std::byte* records);
 
 /// Facing of a triangle drawn as lines or points: by the sign of its unsnapped area; zero counts as back
 /// (MESA-RULES 2.5). True for front.

@@ -1,5 +1,6 @@
-// Triangles [GL1.5 §3.5.1], several at a time, one a lane. Facing and culling use the area of the snapped triangle,
-// coverage its edge functions; planes use the unsnapped positions. Window y comes from the top (y_raster), is snapped
+// Triangles [GL1.5 §3.5.1], several at a time, one a lane, in two steps: select those that draw something, and set up
+// edges and planes. Facing and culling use the area of the snapped triangle, coverage its edge functions; planes use
+// the unsnapped positions. Window y comes from the top (y_raster), is snapped
 // there, and turned over. All arithmetic on snapped positions is exact: integers below 2^53, held in doubles.
 #include <cmath>
 #include <cstring>
@@ -67,11 +68,10 @@ HWY_INLINE V slope(const PlaneLanes& plane) { return hn::Add(hn::Abs(plane.dx), 
 /// What setup has computed, an array of lanes each: the way from vectors into records.
 struct alignas(64) Results {
   Lanes edge_c[3], edge_a[3], edge_b[3];
-  Lanes x0, y0, x1, y1;
   Lanes z_origin, z_dx, z_dy, z_minimum, z_maximum;
   Lanes origin[5], dx[5], dy[5];
   Lanes minimum[4], maximum[4], inverse_w_minimum;
-  std::uint64_t alive, scissored, steep, front, constant, perspective, clamp;
+  std::uint64_t steep, constant, perspective, clamp;
 };
 
 HWY_INLINE std::uint64_t bits_of(Mask mask) {
@@ -80,12 +80,31 @@ HWY_INLINE std::uint64_t bits_of(Mask mask) {
   return bits;
 }
 
-/// Facing, culling, box and edges, in exact arithmetic on the snapped positions. Leaves `alive` with a bit for each
-/// triangle that may draw.
+/// Positions in 1/256 pixel, y up, and twice the area: integers.
 struct SnappedTriangles {
   V x[3], y[3], area;
 };
-HWY_INLINE void set_up_coverage(const SetupState& state, const SnappedTriangles& p, Results& out) {
+
+/// `corners` holds the WindowVertices: first all vertices 0, then 1, then 2, max_lanes apart.
+HWY_INLINE SnappedTriangles snap_triangles(const Quad (&corners)[3], std::int32_t target_height) {
+  SnappedTriangles p;
+  for (std::size_t i = 0; i < 3; ++i) {
+    p.x[i] = snap(corners[i].x);
+    p.y[i] = hn::Sub(set((target_height - 1.0) * subpixels), snap(corners[i].y));
+  }
+  p.area = hn::Sub(hn::Mul(hn::Sub(p.x[1], p.x[0]), hn::Sub(p.y[2], p.y[0])),
+                   hn::Mul(hn::Sub(p.x[2], p.x[0]), hn::Sub(p.y[1], p.y[0])));
+  return p;
+}
+
+/// What the selection finds out.
+struct alignas(64) Selection {
+  Lanes x0, y0, x1, y1;
+  std::uint64_t alive, front, scissored;
+};
+
+/// Facing, culling and the box.
+HWY_INLINE void select(const SetupState& state, const SnappedTriangles& p, Selection& out) {
   const D d;
   // Reject what no sample can hit.
   const V to_pixels = set(1.0 / subpixels);
@@ -103,30 +122,32 @@ HWY_INLINE void set_up_coverage(const SetupState& state, const SnappedTriangles&
 
   // Decide facing, cull.
   const V zero = hn::Zero(d);
-  const Mask counter_clockwise = hn::Gt(p.area, zero);
-  const std::uint64_t ccw = bits_of(counter_clockwise);
+  const std::uint64_t ccw = bits_of(hn::Gt(p.area, zero));
   out.front = state.front_face == FrontFace::ccw ? ccw : ~ccw;
-  const Mask hits = hn::And(hn::And(hn::Lt(cut_x0, cut_x1), hn::Lt(cut_y0, cut_y1)), hn::Ne(p.area, zero));
-  out.alive = bits_of(hits);
+  out.alive = bits_of(hn::And(hn::And(hn::Lt(cut_x0, cut_x1), hn::Lt(cut_y0, cut_y1)), hn::Ne(p.area, zero)));
   if (is_culled(state.cull, true)) out.alive &= ~out.front;
   if (is_culled(state.cull, false)) out.alive &= out.front;
-  if (out.alive == 0) return;
+}
 
-  // Edge functions, positive inside. Left edges and horizontal bottom edges own the samples on them; the others lose
-  // them by one unit (MESA-RULES 3). At pixel (i, j): 256 a i + 256 b j + c >= 0, which floor(c / 256) does not change.
-  const V sign = hn::IfThenElse(counter_clockwise, set(1), set(-1));
+/// Edge functions, positive inside. Left edges and horizontal bottom edges own the samples on them; the others lose
+/// them by one unit (MESA-RULES 3). At pixel (i, j): 256 a i + 256 b j + c >= 0, which floor(c / 256) does not change.
+HWY_INLINE void set_up_edges(const SnappedTriangles& p, Results& out) {
+  const D d;
+  const V zero = hn::Zero(d), one = set(1);
+  const V sign = hn::IfThenElse(hn::Gt(p.area, zero), one, set(-1));
   for (std::size_t from = 0; from < 3; ++from) {
     const std::size_t to = (from + 1) % 3;
     const V a = hn::Mul(sign, hn::Sub(p.y[from], p.y[to])), b = hn::Mul(sign, hn::Sub(p.x[to], p.x[from]));
     const Mask owns = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
-    const V c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, p.x[from]), hn::Mul(b, p.y[from]))), hn::IfThenElse(owns, zero, set(1)));
+    const V c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, p.x[from]), hn::Mul(b, p.y[from]))), hn::IfThenElse(owns, zero, one));
     hn::Store(a, d, out.edge_a[from]);
     hn::Store(b, d, out.edge_b[from]);
-    hn::Store(hn::Floor(hn::Mul(c, to_pixels)), d, out.edge_c[from]);
+    hn::Store(hn::Floor(hn::Mul(c, set(1.0 / subpixels))), d, out.edge_c[from]);
   }
 }
 
-HWY_INLINE void set_up_depth(const SetupState& state, const Basis& basis, const V (&window_z)[3], Results& out) {
+HWY_INLINE void set_up_depth(const SetupState& state, const Basis& basis, const V (&window_z)[3],
+                             Results& out) {
   const D d;
   V z[3];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -207,108 +228,125 @@ HWY_INLINE void write_color(const SetupState& state, const Results& in, std::siz
   out.clamp = (in.clamp >> lane & 1) != 0;
 }
 
-HWY_INLINE void write_coverage_and_depth(const SetupState& state, const Results& in, std::size_t lane, PrimitiveRecord& out) {
-  out.binding = state.binding;
+HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const Results& in, std::size_t lane,
+                                         PrimitiveRecord& out) {
+  out.binding = triangle.state->binding;
   for (std::size_t k = 0; k < 3; ++k) {
     out.edges[k] = {static_cast<std::int64_t>(in.edge_c[k][lane]), static_cast<std::int32_t>(in.edge_a[k][lane]),
                     static_cast<std::int32_t>(in.edge_b[k][lane])};
   }
-  out.x0 = static_cast<std::int32_t>(in.x0[lane]);
-  out.y0 = static_cast<std::int32_t>(in.y0[lane]);
-  out.x1 = static_cast<std::int32_t>(in.x1[lane]);
-  out.y1 = static_cast<std::int32_t>(in.y1[lane]);
-  out.scissored = (in.scissored >> lane & 1) != 0;
+  out.x0 = triangle.x0;
+  out.y0 = triangle.y0;
+  out.x1 = triangle.x1;
+  out.y1 = triangle.y1;
+  out.scissored = triangle.scissored;
   out.depth = {in.z_origin[lane], in.z_dx[lane], in.z_dy[lane], static_cast<float>(in.z_minimum[lane]),
                static_cast<float>(in.z_maximum[lane]), (in.steep >> lane & 1) != 0};
 }
 
-/// Colours of the alive lanes' vertices: first all vertices 0, then 1, then 2.
-HWY_INLINE void gather_colors(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
-                              const Results& results, float* colors) {
-  for (std::uint64_t left = results.alive; left != 0; left &= left - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
-    const bool back = state.two_sided && (results.front >> lane & 1) == 0;
-    for (std::size_t i = 0; i < (state.flat ? 1 : 3); ++i) {
-      const std::uint16_t index = state.flat ? triangles[lane].provoking : triangles[lane].vertex[i];
-      const Rgba color = color_of_vertex(state, vertices, index, back);
-      std::memcpy(colors + 4 * (i * max_lanes + lane), &color, sizeof color);
+/// Selects among at most max_lanes triangles.
+HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVertices& vertices,
+                                    const AssembledTriangle* triangles, std::size_t count, WaitingTriangle* out) {
+  alignas(64) float window[3 * 4 * max_lanes];
+  for (std::size_t lane = 0; lane < max_lanes; ++lane) {
+    const AssembledTriangle& triangle = triangles[HWY_MIN(lane, count - 1)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::memcpy(window + 4 * (i * max_lanes + lane), &vertices.window[triangle.vertex[i]], sizeof(WindowVertex));
     }
   }
+  const Quad corners[3] = {load_quad(window), load_quad(window + 4 * max_lanes), load_quad(window + 8 * max_lanes)};
+  Selection selection;
+  select(state, snap_triangles(corners, state.target_height_px), selection);
+
+  std::size_t selected = 0;
+  for (std::uint64_t left = selection.alive & ((std::uint64_t{1} << count) - 1); left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+    WaitingTriangle& waiting = out[selected++];
+    for (std::size_t i = 0; i < 3; ++i) waiting.window[i] = vertices.window[triangles[lane].vertex[i]];
+    if (state.colors) {
+      const bool back = state.two_sided && (selection.front >> lane & 1) == 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint16_t index = state.flat ? triangles[lane].provoking : triangles[lane].vertex[i];
+        waiting.color[i] = color_of_vertex(state, vertices, index, back);
+      }
+    }
+    waiting.state = &state;
+    waiting.x0 = static_cast<std::int16_t>(selection.x0[lane]);
+    waiting.y0 = static_cast<std::int16_t>(selection.y0[lane]);
+    waiting.x1 = static_cast<std::int16_t>(selection.x1[lane]);
+    waiting.y1 = static_cast<std::int16_t>(selection.y1[lane]);
+    waiting.scissored = (selection.scissored >> lane & 1) != 0;
+  }
+  return selected;
 }
 
-/// Sets up to max_lanes triangles.
-HWY_INLINE std::size_t set_up_group(const SetupState& state, const ProcessedVertices& vertices,
-                                    const AssembledTriangle* triangles, std::size_t count, std::byte* records) {
+std::size_t select_all(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
+                       std::size_t count, WaitingTriangle* out) {
+  const std::size_t lanes = hn::Lanes(D());
+  std::size_t selected = 0;
+  for (std::size_t i = 0; i < count; i += lanes) {
+    selected += select_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), out + selected);
+  }
+  return selected;
+}
+
+/// Sets up at most max_lanes triangles.
+HWY_INLINE void set_up_group(const WaitingTriangle* const* triangles, std::size_t count, std::byte* records) {
   const D d;
-  alignas(64) float corners[3 * 4 * max_lanes] = {};
-  for (std::size_t lane = 0; lane < count; ++lane) {
+  const SetupState& state = *triangles[0]->state;
+  alignas(64) float window[3 * 4 * max_lanes], colors[3 * 4 * max_lanes];
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    const WaitingTriangle& triangle = *triangles[HWY_MIN(lane, count - 1)];
     for (std::size_t i = 0; i < 3; ++i) {
-      std::memcpy(corners + 4 * (i * max_lanes + lane), &vertices.window[triangles[lane].vertex[i]], sizeof(WindowVertex));
+      std::memcpy(window + 4 * (i * max_lanes + lane), &triangle.window[i], sizeof(WindowVertex));
+      std::memcpy(colors + 4 * (i * max_lanes + lane), &triangle.color[i], sizeof(Rgba));
     }
   }
-
-  // Snap; find the area.
-  const V height = set(state.target_height_px);
-  SnappedTriangles p;
-  V x[3], y[3], z[3], inverse_w[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Quad corner = load_quad(corners + 4 * i * max_lanes);
-    x[i] = corner.x;
-    y[i] = hn::Sub(height, corner.y);
-    z[i] = corner.z;
-    inverse_w[i] = corner.w;
-    p.x[i] = snap(corner.x);
-    p.y[i] = hn::Sub(hn::Mul(hn::Sub(height, set(1)), set(subpixels)), snap(corner.y));
-  }
-  const auto area_of = [](const V (&px)[3], const V (&py)[3]) HWY_ATTR {
-    return hn::Sub(hn::Mul(hn::Sub(px[1], px[0]), hn::Sub(py[2], py[0])), hn::Mul(hn::Sub(px[2], px[0]), hn::Sub(py[1], py[0])));
-  };
-  p.area = area_of(p.x, p.y);
+  const Quad corners[3] = {load_quad(window), load_quad(window + 4 * max_lanes), load_quad(window + 8 * max_lanes)};
+  const SnappedTriangles p = snap_triangles(corners, state.target_height_px);
   Results results;
-  set_up_coverage(state, p, results);
-  results.alive &= (std::uint64_t{1} << count) - 1;
-  if (results.alive == 0) return 0;
+  set_up_edges(p, results);
 
   // The basis of all planes. Where the unsnapped triangle has no area its plane is not defined; the snapped one's stands in.
-  const Mask no_area = hn::Eq(area_of(x, y), hn::Zero(d));
+  V x[3], y[3];
+  const auto area_of = [&]() HWY_ATTR {
+    return hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])), hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[1], y[0])));
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    x[i] = corners[i].x;
+    y[i] = hn::Sub(set(state.target_height_px), corners[i].y);
+  }
+  const Mask no_area = hn::Eq(area_of(), hn::Zero(d));
   for (std::size_t i = 0; i < 3; ++i) {
     x[i] = hn::IfThenElse(no_area, hn::Add(hn::Mul(p.x[i], set(1.0 / subpixels)), set(0.5)), x[i]);
     y[i] = hn::IfThenElse(no_area, hn::Add(hn::Mul(p.y[i], set(1.0 / subpixels)), set(0.5)), y[i]);
   }
-  const V scale = hn::Div(set(1), area_of(x, y));
+  const V scale = hn::Div(set(1), area_of());
   const Basis basis{x[0], y[0], hn::Mul(hn::Sub(y[2], y[0]), scale), hn::Mul(hn::Sub(x[0], x[2]), scale),
                     hn::Mul(hn::Sub(y[0], y[1]), scale), hn::Mul(hn::Sub(x[1], x[0]), scale)};
 
   // Lay the planes, write the records.
-  set_up_depth(state, basis, z, results);
-  alignas(64) float colors[3 * 4 * max_lanes] = {};
-  if (state.colors) {
-    gather_colors(state, vertices, triangles, results, colors);
-    if (!state.flat) set_up_colors(state, basis, inverse_w, colors, results);
+  set_up_depth(state, basis, {corners[0].z, corners[1].z, corners[2].z}, results);
+  if (state.colors && !state.flat) {
+    set_up_colors(state, basis, {corners[0].w, corners[1].w, corners[2].w}, colors, results);
   }
-  std::size_t made = 0;
-  for (std::uint64_t left = results.alive; left != 0; left &= left - 1) {
-    const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
+  for (std::size_t lane = 0; lane < count; ++lane) {
     if (state.colors) {
-      auto* primitive = new (records + made * sizeof(ColoredPrimitive)) ColoredPrimitive;
-      write_coverage_and_depth(state, results, lane, primitive->record);
+      auto* primitive = new (records + lane * sizeof(ColoredPrimitive)) ColoredPrimitive;
+      write_coverage_and_depth(*triangles[lane], results, lane, primitive->record);
       write_color(state, results, lane, colors, primitive->color);
     } else {
-      write_coverage_and_depth(state, results, lane, *new (records + made * sizeof(PrimitiveRecord)) PrimitiveRecord);
+      auto* record = new (records + lane * sizeof(PrimitiveRecord)) PrimitiveRecord;
+      write_coverage_and_depth(*triangles[lane], results, lane, *record);
     }
-    ++made;
   }
-  return made;
 }
 
-std::size_t set_up(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
-                   std::size_t count, std::byte* records) {
+void set_up(const WaitingTriangle* const* triangles, std::size_t count, std::byte* records) {
   const std::size_t lanes = hn::Lanes(D());
-  std::size_t made = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
-    made += set_up_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), records + made * record_size(state));
+    set_up_group(triangles + i, HWY_MIN(lanes, count - i), records + i * record_size(*triangles[0]->state));
   }
-  return made;
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -332,9 +370,13 @@ bool faces_front(const SetupState& state, const ProcessedVertices& vertices, con
   return area != 0.0 && (area > 0.0) == (state.front_face == FrontFace::ccw);
 }
 
-std::size_t setup_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                            std::span<const AssembledTriangle> triangles, std::byte* records) {
-  return GOURAUD_SIMD_PICK(set_up)(state, vertices, triangles.data(), triangles.size(), records);
+std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
+                             std::span<const AssembledTriangle> triangles, WaitingTriangle* out) {
+  return GOURAUD_SIMD_PICK(select_all)(state, vertices, triangles.data(), triangles.size(), out);
+}
+
+void setup_triangles(std::span<const WaitingTriangle* const> triangles, std::byte* records) {
+  GOURAUD_SIMD_PICK(set_up)(triangles.data(), triangles.size(), records);
 }
 
 }  // namespace gouraud::pipeline
