@@ -15,9 +15,12 @@
 
 #include "gl_table.h"
 
-/// What Mesa never frees is not ours to report.
+// What Mesa and LLVM never free, and what they race for, is not ours to report.
 extern "C" __attribute__((weak, used, visibility("default"))) const char* __lsan_default_suppressions() {
   return "leak:libOSMesa.so.8";
+}
+extern "C" __attribute__((weak, used, visibility("default"))) const char* __tsan_default_suppressions() {
+  return "called_from_lib:libOSMesa.so.8\ncalled_from_lib:libLLVM\nrace:libOSMesa.so.8\nrace:libLLVM\nmutex:libgcc_s";
 }
 
 namespace gouraud::api::testing {
