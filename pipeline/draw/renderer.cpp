@@ -237,6 +237,7 @@ void Renderer::clear(const ClearState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->clear(state);
   implementation_->dirty = true;
+  if (state.stencil && (state.clear_stencil & state.stencil_write_mask) != 0) target()->stencil_in_use = true;
   implementation_->bins.add_clear(state);
   if (implementation_->bins.full()) implementation_->bins.run();
 }

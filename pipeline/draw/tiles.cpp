@@ -4,6 +4,10 @@
 #include <array>
 #include <cstring>
 
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
 #include "pipeline/framebuffer/clear.h"
 
 namespace gouraud::pipeline {
@@ -51,11 +55,20 @@ bool tile_is_outside(const EdgeFunction& edge, std::int32_t x, std::int32_t y) {
 
 }  // namespace
 
+/// In a large page where the kernel has one: triangles of a tile lie on many pages.
+std::unique_ptr<Arena::Chunk> Arena::new_chunk() {
+  std::unique_ptr<Chunk> chunk(new Chunk);
+#if defined(__linux__)
+  ::madvise(chunk.get(), sizeof(Chunk), MADV_HUGEPAGE);
+#endif
+  return chunk;
+}
+
 void* Arena::allocate(std::size_t bytes) {
   const std::size_t size = rounded(bytes);
   if (used_ + size > chunk_size) {
     if (!chunks_.empty()) ++full_chunks_;
-    if (full_chunks_ >= chunks_.size()) chunks_.emplace_back(new Chunk);
+    if (full_chunks_ >= chunks_.size()) chunks_.push_back(new_chunk());
     used_ = 0;
   }
   void* memory = chunks_[full_chunks_]->bytes + used_;

@@ -28,11 +28,13 @@ class Arena {
   std::size_t used() const { return full_chunks_ * chunk_size + used_; }
 
  private:
-  static constexpr std::size_t chunk_size = std::size_t{1} << 18;
+  static constexpr std::size_t chunk_size = std::size_t{1} << 21;  ///< one large page
   static constexpr std::size_t rounded(std::size_t bytes) { return (bytes + 63) / 64 * 64; }
-  struct alignas(64) Chunk {
+  struct alignas(chunk_size) Chunk {
     std::byte bytes[chunk_size];
   };
+  static std::unique_ptr<Chunk> new_chunk();
+
   std::vector<std::unique_ptr<Chunk>> chunks_;
   std::size_t full_chunks_ = 0;
   std::size_t used_ = chunk_size;  ///< of the chunk in use; none at first

@@ -90,9 +90,9 @@ void clear_depth_stencil(const Framebuffer& target, std::int32_t tile, const Pix
     case DepthFormat::z24s8: {
       const std::uint32_t value = static_cast<std::uint32_t>(std::nearbyint(depth * 0xFFFFFF)) | state.clear_stencil << 24;
       const std::uint32_t mask = (state.depth ? 0xFFFFFFu : 0u) | (state.stencil ? state.stencil_write_mask << 24 : 0u);
-      // A buffer without stencil may have its spare bits cleared too: whole words are faster.
-      const std::uint32_t whole = target.stencil_bits == 0 && state.depth ? ~0u : mask;
-      return fill(target.depth.tile(tile), cut, target.stencil_bits == 0 ? value & 0xFFFFFFu : value, whole);
+      // Where all stencil values are zero, whole words are right as well, and no old word needs to be read.
+      const bool whole = state.depth && !target.stencil_in_use;
+      return fill(target.depth.tile(tile), cut, whole ? value & 0xFFFFFFu : value, whole ? ~0u : mask);
     }
     case DepthFormat::z16:
       if (state.depth) {

@@ -9,7 +9,8 @@
 namespace gouraud::pipeline {
 namespace {
 
-void clear_all(const Framebuffer& target, const ClearState& state) {
+void clear_all(Framebuffer& target, const ClearState& state) {
+  target.stencil_in_use |= state.stencil && state.clear_stencil != 0;
   for (int tile = 0; tile < target.tile_count(); ++tile) clear_tile(target, tile, state);
 }
 
@@ -23,7 +24,7 @@ using Bytes = std::vector<std::uint8_t>;
 
 TEST(Clear, ConvertsColorsToNearestInEveryFormat) {
   for (const ColorFormat format : {ColorFormat::rgba8, ColorFormat::rgba16, ColorFormat::rgba32f}) {
-    const Framebuffer target(70, 5, format, DepthFormat::none, 0);
+    Framebuffer target(70, 5, format, DepthFormat::none, 0);
     ClearState state{.color = true, .scissor = {0, 0, 70, 5}};
     state.clear_color = {0.5f, 1.0f, 0.0f, 0.25f};
     clear_all(target, state);
@@ -32,7 +33,7 @@ TEST(Clear, ConvertsColorsToNearestInEveryFormat) {
 }
 
 TEST(Clear, StaysInsideTheScissorAndTheMask) {
-  const Framebuffer target(100, 80, ColorFormat::rgba8, DepthFormat::none, 0);
+  Framebuffer target(100, 80, ColorFormat::rgba8, DepthFormat::none, 0);
   ClearState state{.color = true, .scissor = {9, 11, 67, 70}, .color_write_mask = 0b0101, .clear_color = glm::vec4(1)};
   clear_all(target, state);
   for (int y = 0; y < 80; ++y) {
@@ -44,7 +45,7 @@ TEST(Clear, StaysInsideTheScissorAndTheMask) {
 }
 
 TEST(Clear, OfDepthLeavesStencilAndTheOtherWayRound) {
-  const Framebuffer target(64, 64, ColorFormat::none, DepthFormat::z24s8, 8);
+  Framebuffer target(64, 64, ColorFormat::none, DepthFormat::z24s8, 8);
   clear_all(target, {.stencil = true, .scissor = {0, 0, 64, 64}, .clear_stencil = 0xA5});
   clear_all(target, {.depth = true, .scissor = {0, 0, 64, 64}, .clear_depth = 0.3});
   std::uint32_t depth = 0;
@@ -59,7 +60,7 @@ TEST(Clear, OfDepthLeavesStencilAndTheOtherWayRound) {
 }
 
 TEST(Clear, OfDepthRoundsToNearestIn16Bits) {
-  const Framebuffer target(8, 8, ColorFormat::none, DepthFormat::z16, 0);
+  Framebuffer target(8, 8, ColorFormat::none, DepthFormat::z16, 0);
   clear_all(target, {.depth = true, .scissor = {0, 0, 8, 8}, .clear_depth = 0.5});
   std::uint32_t depth = 0;
   read_depth_row(target, 7, 7, 1, &depth);

@@ -82,6 +82,8 @@ struct Framebuffer {
   ColorFormat color_format = ColorFormat::none;
   DepthFormat depth_format = DepthFormat::none;
   int stencil_bits = 0;
+  /// False as long as every stencil value is zero: then a clear of depth alone may write whole words.
+  bool stencil_in_use = false;
   TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
 
   int tile_count() const { return tiles_x * tiles_y; }
