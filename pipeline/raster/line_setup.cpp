@@ -91,7 +91,7 @@ bool setup_line(const SetupState& state, const ProcessedVertices& vertices, cons
   walk(a, b, pixels);
   if (pixels.empty()) return false;
 
-  // Attributes vary along the line: t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.5].
+  // Attributes vary along the line: t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.3].
   PrimitiveRecord& record = new_record(state, memory);
   const double height = state.target_height_px;
   const Point2 p0{v0.x, height - v0.y_raster}, p1{v1.x, height - v1.y_raster};

@@ -1,4 +1,4 @@
-// Takes vertices in window space, gives depth and colour planes [GL1.5 §3.5.1 eq 3.6, §3.4.1 eq 3.5].
+// Takes vertices in window space, gives depth and colour planes [GL1.5 §3.5.1 eq 3.6, §3.4.1 eq 3.4].
 // Perspective: with q = 1/w, colour = c0 + sum(lambda_i q_i (c_i - c0)) / sum(lambda_i q_i); both sums are planes.
 #include "pipeline/raster/planes.h"
 
