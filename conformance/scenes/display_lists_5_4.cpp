@@ -23,9 +23,9 @@ void one_list_four_matrices(const GlTable& gl) {
   gl.Enable(GL_DEPTH_TEST);
   for (int i = 0; i < 4; ++i) {
     const float x = i % 2 == 0 ? -1.02f : 1.04f, z = i < 2 ? -1.03f : 1.01f;
-    const float height = 0.3f + 0.3f * static_cast<float>(i);
-    load_model_view(gl, multiply(camera, multiply(translation(x, 0, z), scaling(1, height, 1))));
-    material(gl, GL_FRONT, GL_AMBIENT_AND_DIFFUSE, {0.9f - 0.2f * static_cast<float>(i), 0.4f, 0.2f + height / 2, 1});
+    const float size = 0.35f + 0.21f * static_cast<float>(i);
+    load_model_view(gl, multiply(camera, multiply(translation(x, 0, z), scaling(size, size, size))));
+    material(gl, GL_FRONT, GL_AMBIENT_AND_DIFFUSE, {0.87f - 0.21f * static_cast<float>(i), 0.43f, 0.77f, 1});
     gl.CallList(ball);
   }
 }
@@ -126,7 +126,9 @@ void lists_change_state(const GlTable& gl) {
   draw_surface(gl, torus(1.0f, 0.4f, 24, 16));
 }
 
-// Colours in a list hold for the vertices behind them; before the first it takes the caller's, and leaves its last.
+// Oracle only: both Mesa drivers lose vertices of a strip in a list whose first colour comes in its middle, and give
+// those before it that colour. Colours in a list hold for the vertices behind them; before the first it takes the
+// caller's, and leaves its last.
 void colors_across_lists(const GlTable& gl) {
   clear_background(gl);
   pixel_space(gl, 256, 128);
@@ -158,7 +160,7 @@ SceneList display_list_scenes() {
   return {
       {.name = "list_under_matrices",
        .section = section,
-       .shows = "One list, a sphere, drawn four times: flat to round, four materials.",
+       .shows = "One list, a sphere, drawn four times: small to large, four materials.",
        .draw = one_list_four_matrices},
       {.name = "nested_lists",
        .section = section,
@@ -177,6 +179,7 @@ SceneList display_list_scenes() {
       {.name = "list_colors",
        .section = section,
        .shows = "Four strips: blue (bottom) or red (top) at the left, then yellow, then green.",
+       .judge = Judge::oracle_only,
        .width_px = 256,
        .height_px = 128,
        .draw = colors_across_lists},
