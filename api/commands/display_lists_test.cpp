@@ -2,6 +2,7 @@
 #include <GL/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -352,7 +353,16 @@ TEST_F(DisplayListsTest, ContextsThatShareHaveTheSameLists) {
   make_current(&screen_.context);
 }
 
-// One triangle of eight vertices' worth of strips, so that the list keeps it as a run.
+TEST_F(DisplayListsTest, ListInUseOutlivesItsName) {
+  compile(9, [] { glColor3f(0.5f, 0, 0); });
+  const auto list = screen_.context.display_lists->find(9);
+  glDeleteLists(9, 1);
+  EXPECT_EQ(screen_.context.display_lists->find(9), nullptr);
+  EXPECT_GT(list->size(), 0u);
+  EXPECT_EQ(list.use_count(), 1);
+}
+
+// A strip of twelve vertices, so that the list keeps it as a run.
 void strip(GLfloat left, bool colors) {
   for (int i = 0; i < 12; ++i) {
     if (colors && i % 3 == 0) glColor3f(0.1f * static_cast<GLfloat>(i), 0.5f, 0.25f);
@@ -520,6 +530,7 @@ class RandomProgram {
 };
 
 TEST(DisplayListProgram, DoesTheSameDirectlyAndThroughLists) {
+  std::ptrdiff_t drawn = 0;
   for (std::uint32_t seed = 0; seed < 150; ++seed) {
     const auto finish = [](Screen& screen) {
       const GLenum error = glGetError();
@@ -529,6 +540,7 @@ TEST(DisplayListProgram, DoesTheSameDirectlyAndThroughLists) {
     Screen direct;
     RandomProgram(seed).run(40);
     const auto expected = finish(direct);
+    drawn += std::count_if(expected.second.begin(), expected.second.end(), [](auto pixel) { return pixel != 0; });
     const auto same = [&](Screen& screen, const char* way) {
       EXPECT_TRUE(finish(screen) == expected) << way << ", seed " << seed;
       EXPECT_TRUE(screen.context.state == direct.context.state) << way << ", seed " << seed;
@@ -554,6 +566,7 @@ TEST(DisplayListProgram, DoesTheSameDirectlyAndThroughLists) {
     }
     make_current(&direct.context);
   }
+  EXPECT_GT(drawn, 150 * side_px * side_px / 4);
 }
 
 }  // namespace
