@@ -35,6 +35,7 @@ const StateRow* find_state_row(GLenum pname);
 std::span<const StateRow> vertex_state_rows();    // current values, matrices, viewport, lighting
 std::span<const StateRow> fragment_state_rows();  // rasterization, tests, framebuffer control, pixel store, hints
 std::span<const StateRow> implementation_rows();  // limits and the target's properties
+std::span<const StateRow> display_list_rows();
 
 /// `value` as an integer: rounded to nearest, or for normalized values by Table 4.6; the nearest integer if it is out
 /// of range, 0 if NaN.

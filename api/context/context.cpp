@@ -71,8 +71,9 @@ pipeline::DepthFormat depth_format(const ContextConfig& config) {
   return config.depth_bits > 16 || config.stencil_bits > 0 ? pipeline::DepthFormat::z24s8 : pipeline::DepthFormat::z16;
 }
 
-Context::Context(const ContextConfig& config, Context*)
-    : tracing_calls_(traces("calls")),
+Context::Context(const ContextConfig& config, Context* share_with)
+    : display_lists(share_with != nullptr ? share_with->display_lists : std::make_shared<DisplayLists>()),
+      tracing_calls_(traces("calls")),
       tracing_errors_(traces("errors")),
       tracing_plans_(traces("plan")),
       aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),

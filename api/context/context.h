@@ -8,6 +8,7 @@
 
 #include <GL/gl.h>
 
+#include "api/context/display_list.h"
 #include "api/context/immediate.h"
 #include "api/snapshot/snapshot.h"
 #include "api/state/state.h"
@@ -41,7 +42,7 @@ pipeline::DepthFormat depth_format(const ContextConfig& config);
 
 class Context {
  public:
-  /// `share_with` is the context whose objects this one shares, or null; there are no shareable objects yet.
+  /// `share_with` is the context whose objects (display lists) this one shares, or null.
   Context(const ContextConfig& config, Context* share_with);
   /// Unbinds the context if it is current in this thread. Nothing is copied out.
   ~Context();
@@ -53,7 +54,10 @@ class Context {
   /// True while calls must be recorded or printed before (or instead of) being executed.
   bool intercepting() const { return intercepting_; }
   bool tracing_calls() const { return tracing_calls_; }
-  bool compiling() const { return false; }
+  /// True while a display list is open: recordable commands go to the entry points' append_record.
+  bool compiling() const { return list_compiler.open(); }
+  /// NewList and EndList have opened or closed list_compiler.
+  void compiling_changed() { intercepting_ = tracing_calls_ || compiling(); }
 
   /// Keeps `error` unless an earlier one waits for glGetError [GL1.5 §2.5]. `command` is the command's full name.
   /// GOURAUD_TRACE=errors prints both texts on stderr; GOURAUD_ABORT_ON_ERROR=1 prints and aborts.
@@ -103,6 +107,11 @@ class Context {
 
   State state;
   Immediate immediate;
+  ListCompiler list_compiler;
+  /// The lists of this context and of those it shares with; never null.
+  const std::shared_ptr<DisplayLists> display_lists;
+  /// How many lists are being executed, one called by the other.
+  int list_nesting = 0;
 
  private:
   void draw_pending();

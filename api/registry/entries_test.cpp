@@ -328,6 +328,25 @@ TEST_F(Entries, CompileAndExecuteDoesBoth) {
   expect_call("Color4f", {1, 0, 1, 1});
 }
 
+TEST(Records, VertexValueConvertsLikeTheCommand) {
+  using Kind = records::VertexValue::Kind;
+  const auto check = [](records::Opcode opcode, const void* record, Kind kind, const std::vector<GLfloat>& expected) {
+    const records::VertexValue value = records::vertex_value(opcode, record);
+    EXPECT_EQ(value.kind, kind);
+    EXPECT_EQ(std::vector<GLfloat>(std::begin(value.components), std::end(value.components)), expected);
+  };
+  const records::Vertex2s vertex{3, -4};
+  check(records::Opcode::Vertex2s, &vertex, Kind::position, {3, -4, 0, 1});
+  const records::Color4ubv color{{255, 0, 51, 255}};
+  check(records::Opcode::Color4ubv, &color, Kind::color, {1, 0, 0.2f, 1});
+  const records::Normal3b normal{127, -128, 127};
+  check(records::Opcode::Normal3b, &normal, Kind::normal, {1, -1, 1, 0});
+  const records::TexCoord1dv coordinates{{0.5}};
+  check(records::Opcode::TexCoord1dv, &coordinates, Kind::texture_coordinates, {0.5f, 0, 0, 1});
+  const records::Begin begin{GL_POINTS};
+  check(records::Opcode::Begin, &begin, Kind::none, {0, 0, 0, 0});
+}
+
 TEST(Records, TableOfClientMemoryIsSortedAndInRange) {
   EXPECT_EQ(records::opcode_count, 373u);
   for (std::size_t i = 0; i < records::client_memory_count; ++i) {

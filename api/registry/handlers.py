@@ -41,15 +41,20 @@ def _family_call(command, handlers):
     if family is None or family.canonical not in handlers:
         return None
     leading = [param.name for param in command.params[:family.leading]]
+    return [_call(command, family.canonical, ", ".join(leading + family_values(command, family)))]
+
+
+def family_values(command, family, prefix=""):
+    """The values of a family's command as C++ expressions, converted and filled up for its canonical command."""
     values = []
     for param in command.params[family.leading:]:
         if param.is_pointer:
-            values += [f"{param.name}[{i}]" for i in range(int(param.length))]
+            values += [f"{prefix}{param.name}[{i}]" for i in range(int(param.length))]
         else:
-            values.append(param.name)
+            values.append(prefix + param.name)
     convert = {"coordinate": "to_float({})", "component": "to_component({})", "same": "{}"}[family.conversion]
     values = [convert.format(value) for value in values]
-    return [_call(command, family.canonical, ", ".join(leading + values + list(family.fill[len(values):])))]
+    return values + list(family.fill[len(values):])
 
 
 def _parameter_call(command, handlers):

@@ -14,6 +14,9 @@ LENGTHS = {
     "DrawElements": "indices", "DrawRangeElements": "indices",
 }
 
+# The commands whose records vertex_value() understands: canonical command -> what it gives.
+VERTEX_VALUES = {"Vertex4f": "position", "Normal3f": "normal", "Color4f": "color", "TexCoord4f": "texture_coordinates"}
+
 RECORDS_H = """\
 #pragma once
 
@@ -64,6 +67,16 @@ struct RecordInfo {{
 
 extern const RecordInfo record_infos[opcode_count];
 
+/// A vertex, or a current value that the next vertices take, in the canonical form of its family.
+struct VertexValue {{
+  enum class Kind : std::uint8_t {{ none, position, normal, color, texture_coordinates }};
+  Kind kind = Kind::none;
+  GLfloat components[4] = {{}};
+}};
+
+/// What a record of glVertex, glNormal, glColor or glTexCoord of any type gives; none for other commands.
+VertexValue vertex_value(Opcode opcode, const void* record);
+
 /// Carries out one record, errors included, just as if the command were called now.
 void execute(Context& context, Opcode opcode, const void* record);
 
@@ -71,7 +84,7 @@ void execute(Context& context, Opcode opcode, const void* record);
 
 /// The display-list compiler's part: puts a copy of `record` into the open list, client memory included. True if the
 /// command shall also be executed now (GL_COMPILE_AND_EXECUTE, or what §5.4 never puts into a list: proxy textures).
-/// Where memory runs out it raises GL_OUT_OF_MEMORY itself.
+/// Where memory runs out, glEndList says so [GL1.5 §5.4].
 bool append_record(Context& context, records::Opcode opcode, const void* record, std::size_t bytes) noexcept;
 
 }}  // namespace gouraud::api
@@ -123,6 +136,7 @@ def records_cpp(registry):
     memory = "".join(_memory_row(command, param) for command in commands for param in command.params
                      if param.is_pointer and _inline_values(command, param) is None)
     cases = "".join(_execute_case(command) for command in commands)
+    values = "".join(_vertex_value_case(command) for command in commands)
     return f"""{NOTE}\
 #include "records.h"
 
@@ -136,6 +150,13 @@ const RecordInfo record_infos[opcode_count] = {{
 const ClientMemory client_memory[] = {{
 {memory}}};
 const std::size_t client_memory_count = sizeof(client_memory) / sizeof(client_memory[0]);
+
+VertexValue vertex_value(Opcode opcode, const void* record) {{
+  switch (opcode) {{
+{values}    default:
+      return {{}};
+  }}
+}}
 
 void execute(Context& context, Opcode opcode, const void* record) {{
   switch (opcode) {{
@@ -162,3 +183,12 @@ def _execute_case(command):
     arguments = ", ".join(["context"] + [f"r.{name}" for name in command.param_names])
     return (f"    case Opcode::{command.name}: {{\n      const auto& r = *static_cast<const {command.name}*>(record);\n"
             f"      return checked::{command.name}({arguments});\n    }}\n")
+
+
+def _vertex_value_case(command):
+    family = families.family_of(command.name)
+    if family is None or family.canonical not in VERTEX_VALUES:
+        return ""
+    values = ", ".join(handlers_module.family_values(command, family, prefix="r."))
+    return (f"    case Opcode::{command.name}: {{\n      const auto& r = *static_cast<const {command.name}*>(record);\n"
+            f"      return {{VertexValue::Kind::{VERTEX_VALUES[family.canonical]}, {{{values}}}}};\n    }}\n")

@@ -32,6 +32,12 @@ struct TextureGroup {
   bool operator==(const TextureGroup&) const = default;
 };
 
+/// Attribute group LIST_BIT [GL1.5 §5.4].
+struct ListGroup {
+  GLuint base = 0;
+  bool operator==(const ListGroup&) const = default;
+};
+
 struct State {
   CurrentGroup current;
   TransformGroup transform;
@@ -47,6 +53,7 @@ struct State {
   ColorBufferGroup color_buffer;
   TextureGroup texture;
   HintGroup hint;
+  ListGroup list;
   MatrixStacks matrices;
   PixelStore pack, unpack;
   bool operator==(const State&) const = default;

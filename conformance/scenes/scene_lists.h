@@ -26,5 +26,6 @@ SceneList color_sum_scenes();        // §3.9
 SceneList scissor_scenes();          // §4.1.2
 SceneList depth_scenes();            // §4.1.6
 SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
+SceneList display_list_scenes();     // §5.4
 
 }  // namespace gouraud::conformance

@@ -130,6 +130,16 @@ Frame lit_sphere(const GlTable& gl) {
   };
 }
 
+/// The sphere of lit_sphere, 100,352 triangles in 224 strips, as one display list under one light.
+Frame display_list(const GlTable& gl) {
+  const Frame sphere = lit_sphere(gl);
+  for (const GLenum light : {GL_LIGHT1, GL_LIGHT2, GL_LIGHT3}) gl.Disable(light);
+  gl.NewList(1, GL_COMPILE);
+  sphere(gl);
+  gl.EndList();
+  return [](const GlTable& table) { table.CallList(1); };
+}
+
 struct ColoredVertex {
   Vec3 color, position;
 };
@@ -236,6 +246,7 @@ const std::vector<Workload>& all_workloads() {
   static const std::vector<Workload> workloads{
       {"small_triangles", "200,000 small lit triangles", full_hd_width_px, full_hd_height_px, small_triangles},
       {"lit_sphere", "100,352-triangle sphere, 4 lights", full_hd_width_px, full_hd_height_px, lit_sphere},
+      {"display_list", "the sphere as a display list, 1 light", full_hd_width_px, full_hd_height_px, display_list},
       {"layers_back_to_front", "20 Gouraud layers, back to front", full_hd_width_px, full_hd_height_px,
        layers_back_to_front},
       {"layers_front_to_back", "20 Gouraud layers, front to back", full_hd_width_px, full_hd_height_px,

@@ -1,0 +1,210 @@
+// Takes the records of the entry points, puts them into the open list [GL1.5 §5.4]: vertices and their values in one
+// canonical form, whole runs of them as a VertexRun, other commands as they are, with a copy of the client memory.
+// Leaves out: images and indices, which no command yet reads in a list; their pointers become null.
+#include <cstring>
+#include <new>
+#include <span>
+#include <utility>
+
+#include "api/commands/display_lists.h"
+#include "api/commands/pixel_store.h"
+#include "api/commands/vertex_run.h"
+#include "records.h"
+
+namespace gouraud::api {
+namespace {
+
+using records::Length;
+using records::Opcode;
+using records::VertexValue;
+
+// [GL1.5 §5.4]: textures that only ask whether they would fit are asked for at once.
+bool is_proxy(Opcode opcode, const void* record) {
+  switch (opcode) {
+    case Opcode::TexImage1D:
+      return static_cast<const records::TexImage1D*>(record)->target == GL_PROXY_TEXTURE_1D;
+    case Opcode::TexImage2D: {
+      const GLenum target = static_cast<const records::TexImage2D*>(record)->target;
+      return target == GL_PROXY_TEXTURE_2D || target == GL_PROXY_TEXTURE_CUBE_MAP;
+    }
+    case Opcode::TexImage3D:
+      return static_cast<const records::TexImage3D*>(record)->target == GL_PROXY_TEXTURE_3D;
+    default:
+      return false;
+  }
+}
+
+ListTag tag_of(VertexValue::Kind kind) {
+  switch (kind) {
+    case VertexValue::Kind::position:
+      return ListTag::position;
+    case VertexValue::Kind::normal:
+      return ListTag::normal;
+    case VertexValue::Kind::color:
+      return ListTag::color;
+    default:
+      return ListTag::texture_coordinates;
+  }
+}
+
+// From the pointer to behind the last byte of a bitmap [GL1.5 §3.6.4, §3.7]: rows of whole bytes, aligned, and
+// SKIP_PIXELS counts bits.
+std::size_t bitmap_bytes(const PixelStore& store, GLsizei width, GLsizei height) {
+  if (width <= 0 || height <= 0) return 0;
+  const auto row_px = static_cast<std::size_t>(store.row_length_px > 0 ? store.row_length_px : width);
+  const auto alignment = static_cast<std::size_t>(store.alignment);
+  const std::size_t stride = ((row_px + 7) / 8 + alignment - 1) / alignment * alignment;
+  const std::size_t last_row = static_cast<std::size_t>(store.skip_rows) + static_cast<std::size_t>(height) - 1;
+  return last_row * stride + (static_cast<std::size_t>(store.skip_pixels) + static_cast<std::size_t>(width) + 7) / 8;
+}
+
+// How many floats or doubles a control point of this map has [GL1.5 Table 5.1]; 0 for an unknown map.
+std::size_t map_components(GLenum target) {
+  switch (target) {
+    case GL_MAP1_INDEX:
+    case GL_MAP2_INDEX:
+    case GL_MAP1_TEXTURE_COORD_1:
+    case GL_MAP2_TEXTURE_COORD_1:
+      return 1;
+    case GL_MAP1_TEXTURE_COORD_2:
+    case GL_MAP2_TEXTURE_COORD_2:
+      return 2;
+    case GL_MAP1_VERTEX_3:
+    case GL_MAP2_VERTEX_3:
+    case GL_MAP1_NORMAL:
+    case GL_MAP2_NORMAL:
+    case GL_MAP1_TEXTURE_COORD_3:
+    case GL_MAP2_TEXTURE_COORD_3:
+      return 3;
+    case GL_MAP1_VERTEX_4:
+    case GL_MAP2_VERTEX_4:
+    case GL_MAP1_COLOR_4:
+    case GL_MAP2_COLOR_4:
+    case GL_MAP1_TEXTURE_COORD_4:
+    case GL_MAP2_TEXTURE_COORD_4:
+      return 4;
+    default:
+      return 0;
+  }
+}
+
+// A stride or an order that the command refuses gives no memory.
+std::size_t steps(GLint stride, GLint order) {
+  return stride > 0 && order > 0 ? static_cast<std::size_t>(stride) * static_cast<std::size_t>(order - 1) : 0;
+}
+
+template <class Record>
+std::size_t map_1_values(const void* record) {
+  const auto& r = *static_cast<const Record*>(record);
+  const std::size_t components = map_components(r.target);
+  return components == 0 || r.order <= 0 ? 0 : steps(r.stride, r.order) + components;
+}
+
+template <class Record>
+std::size_t map_2_values(const void* record) {
+  const auto& r = *static_cast<const Record*>(record);
+  const std::size_t components = map_components(r.target);
+  if (components == 0 || r.uorder <= 0 || r.vorder <= 0) return 0;
+  return steps(r.ustride, r.uorder) + steps(r.vstride, r.vorder) + components;
+}
+
+std::size_t map_values(Opcode opcode, const void* record) {
+  switch (opcode) {
+    case Opcode::Map1f:
+      return map_1_values<records::Map1f>(record);
+    case Opcode::Map1d:
+      return map_1_values<records::Map1d>(record);
+    case Opcode::Map2f:
+      return map_2_values<records::Map2f>(record);
+    default:
+      return map_2_values<records::Map2d>(record);
+  }
+}
+
+// The bytes that a pointer of the record leads to; 0 if the command will not read them.
+std::size_t memory_bytes(const Context& context, const records::ClientMemory& memory, const void* record) {
+  switch (memory.length) {
+    case Length::elements: {
+      GLsizei count;
+      std::memcpy(&count, static_cast<const std::byte*>(record) + memory.count_offset, sizeof(count));
+      return count > 0 ? static_cast<std::size_t>(count) * memory.element_bytes : 0;
+    }
+    case Length::list_names: {
+      const auto& r = *static_cast<const records::CallLists*>(record);
+      return r.n > 0 ? static_cast<std::size_t>(r.n) * list_offset_bytes(r.type) : 0;
+    }
+    case Length::bitmap: {
+      const auto& r = *static_cast<const records::Bitmap*>(record);
+      return bitmap_bytes(context.state.unpack, r.width, r.height);
+    }
+    case Length::polygon_stipple:
+      return bitmap_bytes(context.state.unpack, 32, 32);
+    case Length::map_points:
+      return map_values(memory.opcode, record) * memory.element_bytes;
+    default:
+      return 0;
+  }
+}
+
+std::span<const records::ClientMemory> memory_of(Opcode opcode) {
+  const auto* const end = records::client_memory + records::client_memory_count;
+  const auto* first = records::client_memory;
+  while (first != end && first->opcode < opcode) ++first;
+  const auto* last = first;
+  while (last != end && last->opcode == opcode) ++last;
+  return {first, last};
+}
+
+void append_command(const Context& context, DisplayList& list, Opcode opcode, const void* record, std::size_t bytes) {
+  const auto memory = memory_of(opcode);
+  if (!memory.empty() && (memory[0].length == Length::bitmap || memory[0].length == Length::polygon_stipple)) {
+    std::memcpy(list.append(ListTag::with_pixel_store, sizeof(PixelStore)), &context.state.unpack, sizeof(PixelStore));
+  }
+  std::byte* const copy = list.append(static_cast<ListTag>(opcode), bytes);
+  std::memcpy(copy, record, bytes);
+  for (const records::ClientMemory& part : memory) {
+    const void* pointer;
+    std::memcpy(&pointer, copy + part.pointer_offset, sizeof(pointer));
+    const std::size_t size = memory_bytes(context, part, record);
+    const void* const kept = pointer != nullptr && size > 0 ? list.keep(pointer, size) : nullptr;
+    std::memcpy(copy + part.pointer_offset, &kept, sizeof(kept));
+  }
+}
+
+void append(Context& context, Opcode opcode, const void* record, std::size_t bytes) {
+  ListCompiler& compiler = context.list_compiler;
+  const VertexValue value = records::vertex_value(opcode, record);
+  if (value.kind != VertexValue::Kind::none) {
+    std::memcpy(compiler.list.append(tag_of(value.kind), sizeof(value.components)), value.components,
+                sizeof(value.components));
+    return;
+  }
+  const std::size_t run_begin = std::exchange(compiler.run_begin, ListCompiler::none);
+  if (opcode == Opcode::End && run_begin != ListCompiler::none &&
+      make_vertex_run(compiler.list, run_begin, compiler.run_mode)) {
+    return;
+  }
+  const std::size_t offset = compiler.list.size();
+  append_command(context, compiler.list, opcode, record, bytes);
+  if (opcode == Opcode::Begin) {
+    const GLenum mode = static_cast<const records::Begin*>(record)->mode;
+    if (mode <= GL_POLYGON) compiler.run_begin = offset;
+    compiler.run_mode = mode;
+  }
+}
+
+}  // namespace
+
+bool append_record(Context& context, Opcode opcode, const void* record, std::size_t bytes) noexcept {
+  ListCompiler& compiler = context.list_compiler;
+  if (is_proxy(opcode, record)) return true;
+  try {
+    if (!compiler.out_of_memory) append(context, opcode, record, bytes);
+  } catch (const std::bad_alloc&) {
+    compiler.out_of_memory = true;
+    compiler.list = {};
+  }
+  return compiler.mode == GL_COMPILE_AND_EXECUTE;
+}
+
+}  // namespace gouraud::api

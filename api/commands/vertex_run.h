@@ -1,0 +1,38 @@
+// A whole Begin/End of a display list whose vertices wait as structure of arrays, so that replaying it is copying
+// blocks into the immediate batch [GL1.5 §5.4].
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "api/context/context.h"
+
+namespace gouraud::api {
+
+/// A current value over a run: up to its first change the run takes what is current when it is executed.
+struct RunAttribute {
+  bool changes = false;     ///< the run sets it at all; `last` is then current behind the run
+  std::uint32_t first = 0;  ///< the first vertex that has the run's own value; the count if none has
+  bool varies = false;      ///< its own values lie in the arrays, as many as there are vertices; else `own` holds it
+  std::array<GLfloat, 4> own{};
+  std::array<GLfloat, 4> last{};
+};
+
+/// The head of an entry's payload. Behind it, arrays of `count` floats: x, y, z, w of the positions, then the
+/// components of each attribute that varies.
+struct VertexRun {
+  GLenum mode = 0;
+  std::uint32_t count = 0;
+  RunAttribute normal, color, texture_coordinates;  // 3, 4 and 4 components
+};
+
+/// Puts a run of `mode` in place of the list's entries from offset `begin` on: a Begin, then only vertices and their
+/// values; the End is still to come. False, and nothing is changed, where a run would not pay. Throws std::bad_alloc,
+/// and nothing is changed.
+bool make_vertex_run(DisplayList& list, std::size_t begin, GLenum mode);
+
+/// Does what the run's commands would do, errors included.
+void replay(Context& context, const VertexRun& run);
+
+}  // namespace gouraud::api
