@@ -71,12 +71,13 @@ pipeline::DepthFormat depth_format(const ContextConfig& config) {
   return config.depth_bits > 16 || config.stencil_bits > 0 ? pipeline::DepthFormat::z24s8 : pipeline::DepthFormat::z16;
 }
 
-Context::Context(const ContextConfig& config, Context*)
+Context::Context(const ContextConfig& config, Context* share_with)
     : tracing_calls_(traces("calls")),
       tracing_errors_(traces("errors")),
       tracing_plans_(traces("plan")),
       aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),
       config_(config),
+      buffer_names_(share_with != nullptr ? share_with->buffer_names_ : std::make_shared<BufferNames>()),
       renderer_(pipeline::default_thread_count()) {
   intercepting_ = tracing_calls_;
 }

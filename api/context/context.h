@@ -8,8 +8,10 @@
 
 #include <GL/gl.h>
 
+#include "api/context/buffer_names.h"
 #include "api/context/immediate.h"
 #include "api/snapshot/snapshot.h"
+#include "api/state/attribute_stacks.h"
 #include "api/state/state.h"
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/plan.h"
@@ -41,7 +43,7 @@ pipeline::DepthFormat depth_format(const ContextConfig& config);
 
 class Context {
  public:
-  /// `share_with` is the context whose objects this one shares, or null; there are no shareable objects yet.
+  /// `share_with` is the context whose buffer objects this one shares, or null.
   Context(const ContextConfig& config, Context* share_with);
   /// Unbinds the context if it is current in this thread. Nothing is copied out.
   ~Context();
@@ -101,7 +103,10 @@ class Context {
   /// and when the context is released; may be empty.
   std::function<void()> copy_out;
 
+  BufferNames& buffer_names() { return *buffer_names_; }
+
   State state;
+  AttributeStacks attribute_stacks;
   Immediate immediate;
 
  private:
@@ -114,6 +119,7 @@ class Context {
   std::uint32_t dirty_ = dirty_all;
   GLenum error_ = GL_NO_ERROR;
   ContextConfig config_;
+  std::shared_ptr<BufferNames> buffer_names_;
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
   std::unique_ptr<pipeline::Framebuffer> target_;

@@ -11,6 +11,7 @@
 #include "api/state/pixel_store.h"
 #include "api/state/rasterization.h"
 #include "api/state/transform.h"
+#include "api/state/vertex_arrays.h"
 
 namespace gouraud::api {
 
@@ -32,7 +33,8 @@ struct TextureGroup {
   bool operator==(const TextureGroup&) const = default;
 };
 
-struct State {
+/// What PushAttrib can save [GL1.5 §6.1.14]: one member a group.
+struct AttributeGroups {
   CurrentGroup current;
   TransformGroup transform;
   ViewportGroup viewport;
@@ -47,8 +49,18 @@ struct State {
   ColorBufferGroup color_buffer;
   TextureGroup texture;
   HintGroup hint;
-  MatrixStacks matrices;
+  bool operator==(const AttributeGroups&) const = default;
+};
+
+/// What PushClientAttrib can save.
+struct ClientAttributeGroups {
   PixelStore pack, unpack;
+  VertexArrayGroup vertex_arrays;
+  bool operator==(const ClientAttributeGroups&) const = default;
+};
+
+struct State : AttributeGroups, ClientAttributeGroups {
+  MatrixStacks matrices;
   bool operator==(const State&) const = default;
 };
 
