@@ -8,8 +8,16 @@ namespace {
 
 // Sets of types, for Table 2.4.
 enum TypeBits : unsigned {
-  type_byte = 1, type_ubyte = 2, type_short = 4, type_ushort = 8, type_int = 16, type_uint = 32, type_float = 64,
-  type_double = 128, type_coordinates = type_short | type_int | type_float | type_double, type_any = 255
+  type_byte = 1,
+  type_ubyte = 2,
+  type_short = 4,
+  type_ushort = 8,
+  type_int = 16,
+  type_uint = 32,
+  type_float = 64,
+  type_double = 128,
+  type_coordinates = type_short | type_int | type_float | type_double,
+  type_any = 255
 };
 
 unsigned type_bit(GLenum type) {

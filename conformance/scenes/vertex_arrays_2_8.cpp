@@ -95,10 +95,10 @@ void multi_draw_strips(const GlTable& gl) {
 void modes(const GlTable& gl) {
   clear_background(gl);
   pixel_space(gl, 256, 128);
-  constexpr std::array<float, 16> corners = {4.3f,  5.1f,  44.2f, 8.4f,  46.1f, 40.7f, 26.4f,
-                                             56.3f, 8.9f,  44.2f, 2.2f,  28.8f, 1.3f,  14.6f, 2.9f, 7.1f};
-  constexpr std::array<GLubyte, 24> colors = {255, 0,  0,  0,   255, 0,   0,   0,   255, 255, 255, 0,
-                                              0,   255, 255, 255, 0,  255, 128, 200, 60,  40,  90,  220};
+  constexpr std::array<float, 16> corners = {4.3f, 5.1f,  44.2f, 8.4f,  46.1f, 40.7f, 26.4f, 56.3f,
+                                             8.9f, 44.2f, 2.2f,  28.8f, 1.3f,  14.6f, 2.9f,  7.1f};
+  constexpr std::array<GLubyte, 24> colors = {255, 0,   0,   0,   255, 0,   0,   0,   255, 255, 255, 0,
+                                              0,   255, 255, 255, 0,   255, 128, 200, 60,  40,  90,  220};
   gl.VertexPointer(2, GL_FLOAT, 0, corners.data());
   gl.ColorPointer(3, GL_UNSIGNED_BYTE, 0, colors.data());
   gl.EnableClientState(GL_VERTEX_ARRAY);
@@ -118,12 +118,20 @@ void interleaved(const GlTable& gl) {
     int texture, color, normal, vertex;
     bool bytes = false;
   };
-  constexpr std::array<Format, 14> formats = {
-      {{GL_V2F, 0, 0, 0, 2},          {GL_V3F, 0, 0, 0, 3},          {GL_C4UB_V2F, 0, 4, 0, 2, true},
-       {GL_C4UB_V3F, 0, 4, 0, 3, true}, {GL_C3F_V3F, 0, 3, 0, 3},      {GL_N3F_V3F, 0, 0, 3, 3},
-       {GL_C4F_N3F_V3F, 0, 4, 3, 3},  {GL_T2F_V3F, 2, 0, 0, 3},      {GL_T4F_V4F, 4, 0, 0, 4},
-       {GL_T2F_C4UB_V3F, 2, 4, 0, 3, true}, {GL_T2F_C3F_V3F, 2, 3, 0, 3}, {GL_T2F_N3F_V3F, 2, 0, 3, 3},
-       {GL_T2F_C4F_N3F_V3F, 2, 4, 3, 3}, {GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4}}};
+  constexpr std::array<Format, 14> formats = {{{GL_V2F, 0, 0, 0, 2},
+                                               {GL_V3F, 0, 0, 0, 3},
+                                               {GL_C4UB_V2F, 0, 4, 0, 2, true},
+                                               {GL_C4UB_V3F, 0, 4, 0, 3, true},
+                                               {GL_C3F_V3F, 0, 3, 0, 3},
+                                               {GL_N3F_V3F, 0, 0, 3, 3},
+                                               {GL_C4F_N3F_V3F, 0, 4, 3, 3},
+                                               {GL_T2F_V3F, 2, 0, 0, 3},
+                                               {GL_T4F_V4F, 4, 0, 0, 4},
+                                               {GL_T2F_C4UB_V3F, 2, 4, 0, 3, true},
+                                               {GL_T2F_C3F_V3F, 2, 3, 0, 3},
+                                               {GL_T2F_N3F_V3F, 2, 0, 3, 3},
+                                               {GL_T2F_C4F_N3F_V3F, 2, 4, 3, 3},
+                                               {GL_T4F_C4F_N3F_V4F, 4, 4, 3, 4}}};
   constexpr float corners[3][4] = {{5.2f, 6.1f, 0.25f, 1}, {57.4f, 15.3f, 0.25f, 1}, {21.6f, 58.9f, 0.25f, 1}};
   constexpr float colors[3][4] = {{1, 0.2f, 0, 1}, {0, 1, 0.4f, 1}, {0.2f, 0, 1, 1}};
   clear_background(gl);
