@@ -1,6 +1,7 @@
 #include "api/commands/enables.h"
 
 #include "api/commands/lighting.h"
+#include "api/commands/vertex_arrays.h"
 
 namespace gouraud::api {
 namespace {
@@ -16,34 +17,34 @@ void set_enabled(Context& context, GLenum cap, bool enabled, const char* command
 
 }  // namespace
 
-Capability find_capability(State& state, GLenum cap) {
+Capability find_capability(AttributeGroups& groups, GLenum cap) {
   if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights))
-    return {&state.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
+    return {&groups.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
   switch (cap) {
     case GL_COLOR_MATERIAL:
-      return {&state.lighting.color_material_enabled, dirty_lighting};
+      return {&groups.lighting.color_material_enabled, dirty_lighting};
     case GL_CULL_FACE:
-      return {&state.polygon.cull_enabled, dirty_assembly};
+      return {&groups.polygon.cull_enabled, dirty_assembly};
     case GL_DEPTH_TEST:
-      return {&state.depth.test_enabled, dirty_raster};
+      return {&groups.depth.test_enabled, dirty_raster};
     case GL_DITHER:
-      return {&state.color_buffer.dither_enabled, 0};
+      return {&groups.color_buffer.dither_enabled, 0};
     case GL_LIGHTING:
-      return {&state.lighting.enabled, dirty_lighting};
+      return {&groups.lighting.enabled, dirty_lighting};
     case GL_MULTISAMPLE:
-      return {&state.multisample.enabled, 0};
+      return {&groups.multisample.enabled, 0};
     case GL_NORMALIZE:
-      return {&state.transform.normalize_enabled, dirty_transform};
+      return {&groups.transform.normalize_enabled, dirty_transform};
     case GL_RESCALE_NORMAL:
-      return {&state.transform.rescale_normal_enabled, dirty_transform};
+      return {&groups.transform.rescale_normal_enabled, dirty_transform};
     case GL_SAMPLE_ALPHA_TO_COVERAGE:
-      return {&state.multisample.alpha_to_coverage_enabled, 0};
+      return {&groups.multisample.alpha_to_coverage_enabled, 0};
     case GL_SAMPLE_ALPHA_TO_ONE:
-      return {&state.multisample.alpha_to_one_enabled, 0};
+      return {&groups.multisample.alpha_to_one_enabled, 0};
     case GL_SAMPLE_COVERAGE:
-      return {&state.multisample.coverage_enabled, 0};
+      return {&groups.multisample.coverage_enabled, 0};
     case GL_SCISSOR_TEST:
-      return {&state.scissor.enabled, dirty_raster};
+      return {&groups.scissor.enabled, dirty_raster};
     default:
       return {};
   }
@@ -58,6 +59,7 @@ void Disable(Context& context, GLenum cap) {
 }
 
 GLboolean IsEnabled(Context& context, GLenum cap) {
+  if (const VertexArray* const array = find_array(context.state.vertex_arrays, cap)) return array->enabled;
   const Capability capability = find_capability(context.state, cap);
   if (capability.flag == nullptr) {
     context.record_error(GL_INVALID_ENUM, "glIsEnabled", "cap is unknown");

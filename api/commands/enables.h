@@ -7,7 +7,8 @@
 
 namespace gouraud::api {
 
-/// All three: GL_INVALID_ENUM for what is no capability, or none that is written yet.
+/// All three: GL_INVALID_ENUM for what is no capability, or none that is written yet. IsEnabled knows the vertex arrays
+/// as well.
 void Enable(Context& context, GLenum cap);
 void Disable(Context& context, GLenum cap);
 GLboolean IsEnabled(Context& context, GLenum cap);
@@ -18,6 +19,6 @@ struct Capability {
   bool* flag = nullptr;
   std::uint32_t dirty = 0;
 };
-Capability find_capability(State& state, GLenum cap);
+Capability find_capability(AttributeGroups& groups, GLenum cap);
 
 }  // namespace gouraud::api

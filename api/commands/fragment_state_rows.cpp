@@ -12,7 +12,7 @@ void read_hint(const Context& c, StateValue& v) {
   set(v, c.state.hint.*hint);
 }
 
-template <PixelStore State::*store, auto parameter>
+template <auto store, auto parameter>
 void read_store(const Context& c, StateValue& v) {
   set(v, (c.state.*store).*parameter);
 }

@@ -49,6 +49,8 @@ constexpr StateRow rows[] = {
     {GL_MAX_TEXTURE_SIZE, integer, 1, read_constant<max_texture_size>},
     {GL_MAX_ATTRIB_STACK_DEPTH, integer, 1, read_constant<max_attrib_stack_depth>},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, integer, 1, read_constant<max_client_attrib_stack_depth>},
+    {GL_MAX_ELEMENTS_VERTICES, integer, 1, read_constant<max_elements_vertices>},
+    {GL_MAX_ELEMENTS_INDICES, integer, 1, read_constant<max_elements_indices>},
     {GL_MAX_NAME_STACK_DEPTH, integer, 1, read_constant<max_name_stack_depth>},
     {GL_MAX_LIST_NESTING, integer, 1, read_constant<max_list_nesting>},
     {GL_MAX_VIEWPORT_DIMS, integer, 2, read_constant<max_target_size_px, max_target_size_px>},

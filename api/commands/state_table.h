@@ -34,6 +34,7 @@ const StateRow* find_state_row(GLenum pname);
 /// The rows, one list a chapter; none has a pname of another.
 std::span<const StateRow> vertex_state_rows();    // current values, matrices, viewport, lighting
 std::span<const StateRow> fragment_state_rows();  // rasterization, tests, framebuffer control, pixel store, hints
+std::span<const StateRow> vertex_array_rows();    // vertex arrays, buffer bindings, attribute stacks
 std::span<const StateRow> implementation_rows();  // limits and the target's properties
 std::span<const StateRow> display_list_rows();
 

@@ -78,6 +78,7 @@ Context::Context(const ContextConfig& config, Context* share_with)
       tracing_plans_(traces("plan")),
       aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),
       config_(config),
+      buffer_names_(share_with != nullptr ? share_with->buffer_names_ : std::make_shared<BufferNames>()),
       renderer_(pipeline::default_thread_count()) {
   intercepting_ = tracing_calls_;
 }

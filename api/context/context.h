@@ -8,9 +8,11 @@
 
 #include <GL/gl.h>
 
+#include "api/context/buffer_names.h"
 #include "api/context/display_list.h"
 #include "api/context/immediate.h"
 #include "api/snapshot/snapshot.h"
+#include "api/state/attribute_stacks.h"
 #include "api/state/state.h"
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/plan.h"
@@ -42,7 +44,7 @@ pipeline::DepthFormat depth_format(const ContextConfig& config);
 
 class Context {
  public:
-  /// `share_with` is the context whose objects (display lists) this one shares, or null.
+  /// `share_with` is the context whose objects (display lists, buffer objects) this one shares, or null.
   Context(const ContextConfig& config, Context* share_with);
   /// Unbinds the context if it is current in this thread. Nothing is copied out.
   ~Context();
@@ -105,7 +107,10 @@ class Context {
   /// and when the context is released; may be empty.
   std::function<void()> copy_out;
 
+  BufferNames& buffer_names() { return *buffer_names_; }
+
   State state;
+  AttributeStacks attribute_stacks;
   Immediate immediate;
   ListCompiler list_compiler;
   /// The lists of this context and of those it shares with; never null.
@@ -123,6 +128,7 @@ class Context {
   std::uint32_t dirty_ = dirty_all;
   GLenum error_ = GL_NO_ERROR;
   ContextConfig config_;
+  std::shared_ptr<BufferNames> buffer_names_;
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
   std::unique_ptr<pipeline::Framebuffer> target_;

@@ -62,7 +62,7 @@ def legal_inside_begin_end(name):
 _NOT_COMPILED = re.compile(
     r"(Gen|Delete|Get|Is)[A-Z].*|FeedbackBuffer|SelectBuffer|RenderMode|ReadPixels|PixelStore[fi]|AreTexturesResident|"
     r"(Color|FogCoord|EdgeFlag|Index|Normal|TexCoord|SecondaryColor|Vertex)Pointer|InterleavedArrays|"
-    r"ClientActiveTexture|(Enable|Disable)ClientState|(Push|Pop)ClientAttrib|"
+    r"ClientActiveTexture|(Enable|Disable)ClientState|(Push|Pop)ClientAttrib|(Lock|Unlock)ArraysEXT|"
     r"BindBuffer|BufferData|BufferSubData|MapBuffer|UnmapBuffer|Flush|Finish|NewList|EndList")
 
 

@@ -11,6 +11,7 @@
 #include "api/state/pixel_store.h"
 #include "api/state/rasterization.h"
 #include "api/state/transform.h"
+#include "api/state/vertex_arrays.h"
 
 namespace gouraud::api {
 
@@ -38,7 +39,8 @@ struct ListGroup {
   bool operator==(const ListGroup&) const = default;
 };
 
-struct State {
+/// What PushAttrib can save [GL1.5 §6.1.14]: one member a group.
+struct AttributeGroups {
   CurrentGroup current;
   TransformGroup transform;
   ViewportGroup viewport;
@@ -54,8 +56,18 @@ struct State {
   TextureGroup texture;
   HintGroup hint;
   ListGroup list;
-  MatrixStacks matrices;
+  bool operator==(const AttributeGroups&) const = default;
+};
+
+/// What PushClientAttrib can save.
+struct ClientAttributeGroups {
   PixelStore pack, unpack;
+  VertexArrayGroup vertex_arrays;
+  bool operator==(const ClientAttributeGroups&) const = default;
+};
+
+struct State : AttributeGroups, ClientAttributeGroups {
+  MatrixStacks matrices;
   bool operator==(const State&) const = default;
 };
 

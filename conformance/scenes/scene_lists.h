@@ -8,6 +8,8 @@ namespace gouraud::conformance {
 SceneList begin_end_scenes();        // §2.6.1
 SceneList large_begin_end_scenes();  // §2.6.1, tens of thousands of vertices
 SceneList vertex_scenes();           // §2.7
+SceneList vertex_array_scenes();     // §2.8
+SceneList buffer_object_scenes();    // §2.9
 SceneList viewport_scenes();         // §2.11.1
 SceneList matrix_scenes();           // §2.11.2
 SceneList normal_scenes();           // §2.11.3

@@ -6,7 +6,8 @@ const std::vector<Scene>& all_scenes() {
   static const std::vector<Scene> scenes = [] {
     std::vector<Scene> all;
     for (const auto list :
-         {begin_end_scenes,       large_begin_end_scenes, vertex_scenes,    viewport_scenes, matrix_scenes,
+         {begin_end_scenes,       large_begin_end_scenes, vertex_scenes,    vertex_array_scenes, buffer_object_scenes,
+          viewport_scenes, matrix_scenes,
           normal_scenes,          clipping_scenes,        bad_input_scenes, lighting_scenes, spot_light_scenes,
           light_parameter_scenes, color_material_scenes,  shading_scenes,   point_scenes,    line_scenes,
           polygon_scenes,         polygon_mode_scenes,    color_sum_scenes, scissor_scenes,  depth_scenes,

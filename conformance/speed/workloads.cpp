@@ -92,10 +92,11 @@ Frame small_triangles(const GlTable& gl) {
   };
 }
 
-/// A sphere of 224 strips with 448 triangles each, four positional lights with highlights.
-Frame lit_sphere(const GlTable& gl) {
-  constexpr int stacks = 224, slices = 224;
-  std::vector<Vec3> points;  // of the unit sphere: normals and positions at once
+constexpr int stacks = 224, slices = 224;
+
+/// Of the unit sphere: normals and positions at once.
+std::vector<Vec3> sphere_points() {
+  std::vector<Vec3> points;
   for (int stack = 0; stack <= stacks; ++stack) {
     const float latitude = pi * (static_cast<float>(stack) / stacks - 0.5f);
     for (int slice = 0; slice <= slices; ++slice) {
@@ -104,6 +105,11 @@ Frame lit_sphere(const GlTable& gl) {
                         std::cos(latitude) * std::sin(longitude)});
     }
   }
+  return points;
+}
+
+/// Four positional lights with highlights.
+void light_sphere(const GlTable& gl) {
   set_camera(gl);
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_LIGHTING);
@@ -113,7 +119,12 @@ Frame lit_sphere(const GlTable& gl) {
   enable_light(gl, GL_LIGHT2, {0.0f, -4.0f, 1.0f, 1.0f}, {0.2f, 0.2f, 0.8f, 1.0f});
   enable_light(gl, GL_LIGHT3, {0.0f, 0.0f, 4.0f, 1.0f}, {0.4f, 0.4f, 0.4f, 1.0f});
   gl.Translatef(0.0f, 0.0f, -3.5f);
-  return [points = std::move(points)](const GlTable& table) {
+}
+
+/// A sphere of 224 strips with 448 triangles each.
+Frame lit_sphere(const GlTable& gl) {
+  light_sphere(gl);
+  return [points = sphere_points()](const GlTable& table) {
     table.Clear(color_and_depth);
     for (std::size_t stack = 0; stack < stacks; ++stack) {
       const Vec3* const lower = &points[stack * (slices + 1)];
@@ -138,6 +149,26 @@ Frame display_list(const GlTable& gl) {
   sphere(gl);
   gl.EndList();
   return [](const GlTable& table) { table.CallList(1); };
+}
+
+/// The same sphere as one DrawElements of separate triangles, six of them around most points.
+Frame indexed_sphere(const GlTable& gl) {
+  std::vector<GLuint> indices;
+  for (GLuint stack = 0; stack < stacks; ++stack) {
+    for (GLuint slice = 0; slice < slices; ++slice) {
+      const GLuint lower = stack * (slices + 1) + slice, upper = lower + slices + 1;
+      for (const GLuint index : {lower, upper, lower + 1, lower + 1, upper, upper + 1}) indices.push_back(index);
+    }
+  }
+  light_sphere(gl);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.EnableClientState(GL_NORMAL_ARRAY);
+  return [points = sphere_points(), indices = std::move(indices)](const GlTable& table) {
+    table.Clear(color_and_depth);
+    table.VertexPointer(3, GL_FLOAT, 0, points.data());
+    table.NormalPointer(GL_FLOAT, 0, points.data());
+    table.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, indices.data());
+  };
 }
 
 struct ColoredVertex {
@@ -247,6 +278,7 @@ const std::vector<Workload>& all_workloads() {
       {"small_triangles", "200,000 small lit triangles", full_hd_width_px, full_hd_height_px, small_triangles},
       {"lit_sphere", "100,352-triangle sphere, 4 lights", full_hd_width_px, full_hd_height_px, lit_sphere},
       {"display_list", "the sphere as a display list, 1 light", full_hd_width_px, full_hd_height_px, display_list},
+      {"indexed_sphere", "the same sphere by one DrawElements", full_hd_width_px, full_hd_height_px, indexed_sphere},
       {"layers_back_to_front", "20 Gouraud layers, back to front", full_hd_width_px, full_hd_height_px,
        layers_back_to_front},
       {"layers_front_to_back", "20 Gouraud layers, front to back", full_hd_width_px, full_hd_height_px,

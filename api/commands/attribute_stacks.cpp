@@ -1,0 +1,113 @@
+// Saves and restores attribute groups [GL1.5 §6.1.14, Table 6.2].
+//
+// choice: a material parameter that follows the current colour is saved as of the push, and follows on after the pop.
+#include "api/commands/attribute_stacks.h"
+
+#include <vector>
+
+#include "api/commands/enables.h"
+#include "api/commands/lighting.h"
+
+namespace gouraud::api {
+namespace {
+
+template <class Groups>
+struct GroupRow {
+  GLbitfield bit;
+  void (*restore)(Groups& groups, const Groups& saved);
+};
+
+template <auto member, class Groups>
+void restore(Groups& groups, const Groups& saved) {
+  groups.*member = saved.*member;
+}
+
+using Attributes = AttributeGroups;
+constexpr GroupRow<AttributeGroups> group_rows[] = {
+    {GL_CURRENT_BIT, restore<&Attributes::current>},
+    {GL_POINT_BIT, restore<&Attributes::point>},
+    {GL_LINE_BIT, restore<&Attributes::line>},
+    {GL_POLYGON_BIT, restore<&Attributes::polygon>},
+    {GL_LIGHTING_BIT, restore<&Attributes::lighting>},
+    {GL_DEPTH_BUFFER_BIT, restore<&Attributes::depth>},
+    {GL_STENCIL_BUFFER_BIT, restore<&Attributes::stencil>},
+    {GL_VIEWPORT_BIT, restore<&Attributes::viewport>},
+    {GL_TRANSFORM_BIT, restore<&Attributes::transform>},
+    {GL_COLOR_BUFFER_BIT, restore<&Attributes::color_buffer>},
+    {GL_HINT_BIT, restore<&Attributes::hint>},
+    {GL_TEXTURE_BIT, restore<&Attributes::texture>},
+    {GL_SCISSOR_BIT, restore<&Attributes::scissor>},
+    {GL_MULTISAMPLE_BIT, restore<&Attributes::multisample>},
+    {GL_LIST_BIT, restore<&Attributes::list>},
+};
+
+using ClientAttributes = ClientAttributeGroups;
+constexpr GroupRow<ClientAttributeGroups> client_group_rows[] = {
+    {GL_CLIENT_PIXEL_STORE_BIT, restore<&ClientAttributes::pack>},
+    {GL_CLIENT_PIXEL_STORE_BIT, restore<&ClientAttributes::unpack>},
+    {GL_CLIENT_VERTEX_ARRAY_BIT, restore<&ClientAttributes::vertex_arrays>},
+};
+
+// Every capability is of ENABLE_BIT [GL1.5 Tables 6.6 to 6.27], besides its own group: all that Enable knows.
+const std::vector<GLenum>& capabilities() {
+  static const std::vector<GLenum> found = [] {
+    std::vector<GLenum> caps;
+    AttributeGroups groups;
+    for (GLenum cap = 0; cap < 0x10000; ++cap) {
+      if (find_capability(groups, cap).flag != nullptr) caps.push_back(cap);
+    }
+    return caps;
+  }();
+  return found;
+}
+
+void restore_enables(AttributeGroups& groups, AttributeGroups& saved) {
+  for (const GLenum cap : capabilities()) {
+    *find_capability(groups, cap).flag = *find_capability(saved, cap).flag;
+  }
+}
+
+}  // namespace
+
+void PushAttrib(Context& context, GLbitfield mask) {
+  std::vector<SavedAttributes>& stack = context.attribute_stacks.server;
+  if (stack.size() >= static_cast<std::size_t>(max_attrib_stack_depth)) {
+    return context.record_error(GL_STACK_OVERFLOW, "glPushAttrib", "the stack is full");
+  }
+  sync_color_material(context.state);
+  stack.push_back({mask, context.state});
+}
+
+void PopAttrib(Context& context) {
+  std::vector<SavedAttributes>& stack = context.attribute_stacks.server;
+  if (stack.empty()) return context.record_error(GL_STACK_UNDERFLOW, "glPopAttrib", "the stack is empty");
+  sync_color_material(context.state);
+  SavedAttributes& saved = stack.back();
+  AttributeGroups& groups = context.state;
+  for (const auto& row : group_rows) {
+    if ((saved.mask & row.bit) != 0) row.restore(groups, saved.groups);
+  }
+  if ((saved.mask & GL_ENABLE_BIT) != 0) restore_enables(groups, saved.groups);
+  stack.pop_back();
+  context.change(dirty_all);
+}
+
+void PushClientAttrib(Context& context, GLbitfield mask) {
+  std::vector<SavedClientAttributes>& stack = context.attribute_stacks.client;
+  if (stack.size() >= static_cast<std::size_t>(max_client_attrib_stack_depth)) {
+    return context.record_error(GL_STACK_OVERFLOW, "glPushClientAttrib", "the stack is full");
+  }
+  stack.push_back({mask, context.state});
+}
+
+void PopClientAttrib(Context& context) {
+  std::vector<SavedClientAttributes>& stack = context.attribute_stacks.client;
+  if (stack.empty()) return context.record_error(GL_STACK_UNDERFLOW, "glPopClientAttrib", "the stack is empty");
+  ClientAttributeGroups& groups = context.state;
+  for (const auto& row : client_group_rows) {
+    if ((stack.back().mask & row.bit) != 0) row.restore(groups, stack.back().groups);
+  }
+  stack.pop_back();
+}
+
+}  // namespace gouraud::api

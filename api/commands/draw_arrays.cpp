@@ -1,0 +1,290 @@
+// Takes vertex arrays and the numbers of their elements, gives vertices to immediate mode's batch [GL1.5 §2.8, §2.9].
+// Blocks of positions, normals and colours are written to the batch at once; a draw that demands more of its vertices
+// goes through Vertex, element by element.
+// Leaves out: sharing of vertices that several indices name.
+#include "api/commands/draw_arrays.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <span>
+
+#include "api/commands/array_elements.h"
+#include "api/commands/begin_end.h"
+#include "api/snapshot/enums.h"
+
+namespace gouraud::api {
+namespace {
+
+/// The arrays that a draw reads.
+struct Sources {
+  std::uint32_t present = 0;  ///< bit n: array n
+  std::array<ElementSource, array_count> arrays;
+  bool has(int name) const { return (present >> name & 1u) != 0; }
+  const ElementSource& at(int name) const { return arrays[static_cast<std::size_t>(name)]; }
+};
+
+// False, and an error is recorded, if one of the arrays is mapped.
+bool collect(Context& context, const char* command, Sources& sources) {
+  for (int name = 0; name < array_count; ++name) {
+    const VertexArray& array = context.state.vertex_arrays.at(name);
+    if (!array.enabled || !is_readable(array)) continue;
+    if (array.buffer != nullptr && array.buffer->mapped) {
+      context.record_error(GL_INVALID_OPERATION, command, "an array lies in a mapped buffer");
+      return false;
+    }
+    sources.present |= 1u << name;
+    sources.arrays[static_cast<std::size_t>(name)] = element_source(array, name);
+  }
+  return true;
+}
+
+void set_current(CurrentGroup& current, int name, const std::array<float, 4>& value) {
+  switch (name) {
+    case array_normal:
+      current.normal_object = glm::vec3(value[0], value[1], value[2]);
+      break;
+    case array_color:
+      current.color = glm::vec4(value[0], value[1], value[2], value[3]);
+      break;
+    case array_secondary_color:
+      current.secondary_color = glm::vec4(value[0], value[1], value[2], 1.0f);
+      break;
+    case array_index:
+      current.color_index = value[0];
+      break;
+    case array_fog_coordinate:
+      current.fog_coordinate = value[0];
+      break;
+    case array_edge_flag:
+      current.edge_flag = value[0] != 0.0f;
+      break;
+    default:
+      current.texture_coordinates[static_cast<std::size_t>(name - array_texture_coordinates)] =
+          glm::vec4(value[0], value[1], value[2], value[3]);
+      break;
+  }
+}
+
+void append_element(Context& context, const Sources& sources, GLuint element) {
+  const auto value_of = [&](int name) {
+    std::array<float, 4> value;
+    sources.at(name).fetch(sources.at(name), {&element, 1}, {{&value[0], &value[1], &value[2], &value[3]}, 4});
+    return value;
+  };
+  for (int name = array_vertex + 1; name < array_count; ++name) {
+    if (sources.has(name)) set_current(context.state.current, name, value_of(name));
+  }
+  if (!sources.has(array_vertex)) return;
+  const std::array<float, 4> position = value_of(array_vertex);
+  Vertex4f(context, position[0], position[1], position[2], position[3]);
+}
+
+// One attribute of the batch's next elements.size() vertices: from its array, or the same value for all.
+template <int components>
+void append_attribute(pipeline::VertexArray<components>& attribute, std::int32_t first, const Sources& sources,
+                      int name, std::span<const GLuint> elements, const float* current) {
+  ElementTarget target;
+  target.count = components;
+  for (std::size_t c = 0; c < components; ++c) target.values[c] = &attribute[c][static_cast<std::size_t>(first)];
+  if (sources.has(name)) return sources.at(name).fetch(sources.at(name), elements, target);
+  for (std::size_t c = 0; c < components; ++c) std::fill_n(target.values[c], elements.size(), current[c]);
+}
+
+// There is room for all of them.
+void append_elements(Context& context, const Sources& sources, std::span<const GLuint> elements) {
+  constexpr std::uint32_t in_blocks = pipeline::attribute_normal | pipeline::attribute_color;
+  const CurrentGroup& current = context.state.current;
+  const std::uint32_t demand = context.immediate.demand;
+  if ((demand & ~in_blocks) != 0 || sources.has(array_edge_flag) || !current.edge_flag) {
+    for (const GLuint element : elements) append_element(context, sources, element);
+    return;
+  }
+  pipeline::VertexBatch& batch = context.immediate.batch;
+  append_attribute<4>(batch.position_object, batch.count, sources, array_vertex, elements, nullptr);
+  if (demand & pipeline::attribute_normal) {
+    append_attribute<3>(batch.normal_object, batch.count, sources, array_normal, elements, &current.normal_object[0]);
+  }
+  if (demand & pipeline::attribute_color) {
+    append_attribute<4>(batch.color, batch.count, sources, array_color, elements, &current.color[0]);
+  }
+  batch.count += static_cast<std::int32_t>(elements.size());
+}
+
+// Between Begin and End: `count` elements; `number(first, elements)` writes the numbers of the elements from the
+// first-th on.
+template <class Number>
+void append_all(Context& context, const Sources& sources, std::uintptr_t count, Number number) {
+  const Immediate& immediate = context.immediate;
+  std::array<GLuint, pipeline::batch_capacity> elements;
+  for (std::uintptr_t done = 0; done < count;) {
+    if (immediate.batch.count >= immediate.limit && !context.make_room_for_vertex()) return;
+    const auto room = static_cast<std::uintptr_t>(immediate.limit - immediate.batch.count);
+    const std::span<GLuint> block(elements.data(), std::min(room, count - done));
+    number(done, block);
+    append_elements(context, sources, block);
+    done += block.size();
+  }
+}
+
+template <class Number>
+void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t count, Number number) {
+  if (!sources.has(array_vertex) || count == 0) return;
+  const CurrentGroup before = context.state.current;
+  context.begin_primitive(primitive_mode(mode));
+  try {
+    append_all(context, sources, count, number);
+  } catch (...) {  // no memory
+    context.state.current = before;
+    context.end_primitive();
+    throw;
+  }
+  context.state.current = before;
+  context.end_primitive();
+}
+
+bool is_mode(Context& context, GLenum mode, const char* command) {
+  if (mode <= GL_POLYGON) return true;
+  context.record_error(GL_INVALID_ENUM, command, "mode is no primitive mode");
+  return false;
+}
+
+bool is_count(Context& context, GLsizei count, const char* command) {
+  if (count >= 0) return true;
+  context.record_error(GL_INVALID_VALUE, command, "count is negative");
+  return false;
+}
+
+// first >= 0.
+void draw_range(Context& context, GLenum mode, const Sources& sources, GLint first, GLsizei count) {
+  const auto from = static_cast<GLuint>(first);
+  auto length = static_cast<std::uintptr_t>(count);
+  if (sources.has(array_vertex)) {
+    const std::uintptr_t available = sources.at(array_vertex).available;
+    length = from < available ? std::min(length, available - from) : 0;
+  }
+  draw(context, mode, sources, length, [from](std::uintptr_t done, std::span<GLuint> elements) {
+    for (std::size_t i = 0; i < elements.size(); ++i) elements[i] = from + static_cast<GLuint>(done + i);
+  });
+}
+
+/// 0 for what is no type of indices.
+std::uintptr_t index_bytes(GLenum type) {
+  return type == GL_UNSIGNED_BYTE ? 1 : type == GL_UNSIGNED_SHORT ? 2 : type == GL_UNSIGNED_INT ? 4 : 0;
+}
+
+bool is_index_type(Context& context, GLenum type, const char* command) {
+  if (index_bytes(type) != 0) return true;
+  context.record_error(GL_INVALID_ENUM, command, "type is no type of indices");
+  return false;
+}
+
+template <class T>
+void draw_indexed(Context& context, GLenum mode, const Sources& sources, std::uintptr_t count, std::uintptr_t address) {
+  draw(context, mode, sources, count, [address](std::uintptr_t done, std::span<GLuint> elements) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      T index;
+      std::memcpy(&index, reinterpret_cast<const void*>(address + (done + i) * sizeof(T)), sizeof(T));
+      elements[i] = index;
+    }
+  });
+}
+
+// All arguments are valid.
+void draw_list(Context& context, GLenum mode, const Sources& sources, GLsizei count, GLenum type, const void* indices) {
+  auto address = reinterpret_cast<std::uintptr_t>(indices);
+  auto length = static_cast<std::uintptr_t>(count);
+  const BufferBinding& buffer = context.state.vertex_arrays.element_array_buffer;
+  if (buffer != nullptr) {
+    length = std::min(length, indices_within(*buffer, address, index_bytes(type)));
+    address += reinterpret_cast<std::uintptr_t>(buffer->bytes.get());
+  } else if (indices == nullptr) {
+    return;
+  }
+  switch (type) {
+    case GL_UNSIGNED_BYTE:
+      return draw_indexed<GLubyte>(context, mode, sources, length, address);
+    case GL_UNSIGNED_SHORT:
+      return draw_indexed<GLushort>(context, mode, sources, length, address);
+    default:
+      return draw_indexed<GLuint>(context, mode, sources, length, address);
+  }
+}
+
+// The arrays, and that the indices can be read.
+bool collect_indexed(Context& context, const char* command, Sources& sources) {
+  const BufferBinding& buffer = context.state.vertex_arrays.element_array_buffer;
+  if (buffer != nullptr && buffer->mapped) {
+    context.record_error(GL_INVALID_OPERATION, command, "the indices lie in a mapped buffer");
+    return false;
+  }
+  return collect(context, command, sources);
+}
+
+void draw_elements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices,
+                   const char* command) {
+  if (!is_mode(context, mode, command) || !is_count(context, count, command) ||
+      !is_index_type(context, type, command)) {
+    return;
+  }
+  Sources sources;
+  if (collect_indexed(context, command, sources)) draw_list(context, mode, sources, count, type, indices);
+}
+
+}  // namespace
+
+void ArrayElement(Context& context, GLint i) {
+  if (i < 0) return context.record_error(GL_INVALID_VALUE, "glArrayElement", "i is negative");
+  Sources sources;
+  if (collect(context, "glArrayElement", sources)) append_element(context, sources, static_cast<GLuint>(i));
+}
+
+void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
+  constexpr auto command = "glDrawArrays";
+  if (!is_mode(context, mode, command) || !is_count(context, count, command)) return;
+  if (first < 0) return context.record_error(GL_INVALID_VALUE, command, "first is negative");
+  Sources sources;
+  if (collect(context, command, sources)) draw_range(context, mode, sources, first, count);
+}
+
+void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
+  constexpr auto command = "glMultiDrawArrays";
+  if (!is_mode(context, mode, command) || !is_count(context, drawcount, command)) return;
+  Sources sources;
+  if (!collect(context, command, sources)) return;
+  for (GLsizei i = 0; i < drawcount; ++i) {
+    if (count[i] <= 0) continue;
+    if (first[i] < 0) {
+      context.record_error(GL_INVALID_VALUE, command, "first is negative");
+    } else {
+      draw_range(context, mode, sources, first[i], count[i]);
+    }
+  }
+}
+
+void DrawElements(Context& context, GLenum mode, GLsizei count, GLenum type, const void* indices) {
+  draw_elements(context, mode, count, type, indices, "glDrawElements");
+}
+
+void DrawRangeElements(Context& context, GLenum mode, GLuint start, GLuint end, GLsizei count, GLenum type,
+                       const void* indices) {
+  constexpr auto command = "glDrawRangeElements";
+  if (end < start) return context.record_error(GL_INVALID_VALUE, command, "end lies before start");
+  draw_elements(context, mode, count, type, indices, command);
+}
+
+void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLenum type, const void* const* indices,
+                       GLsizei drawcount) {
+  constexpr auto command = "glMultiDrawElements";
+  if (!is_mode(context, mode, command) || !is_count(context, drawcount, command) ||
+      !is_index_type(context, type, command)) {
+    return;
+  }
+  Sources sources;
+  if (!collect_indexed(context, command, sources)) return;
+  for (GLsizei i = 0; i < drawcount; ++i) {
+    if (count[i] > 0) draw_list(context, mode, sources, count[i], type, indices[i]);
+  }
+}
+
+}  // namespace gouraud::api
