@@ -20,6 +20,12 @@ Capability find_capability(State& state, GLenum cap) {
   if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights))
     return {&state.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
   switch (cap) {
+    case GL_ALPHA_TEST:
+      return {&state.color_buffer.alpha_test_enabled, dirty_raster};
+    case GL_BLEND:
+      return {&state.color_buffer.blend.enabled, dirty_raster};
+    case GL_COLOR_LOGIC_OP:
+      return {&state.color_buffer.logic_op_enabled, dirty_raster};
     case GL_COLOR_MATERIAL:
       return {&state.lighting.color_material_enabled, dirty_lighting};
     case GL_CULL_FACE:
@@ -28,6 +34,8 @@ Capability find_capability(State& state, GLenum cap) {
       return {&state.depth.test_enabled, dirty_raster};
     case GL_DITHER:
       return {&state.color_buffer.dither_enabled, 0};
+    case GL_INDEX_LOGIC_OP:
+      return {&state.color_buffer.index_logic_op_enabled, 0};
     case GL_LIGHTING:
       return {&state.lighting.enabled, dirty_lighting};
     case GL_MULTISAMPLE:
