@@ -1,4 +1,5 @@
-// Takes a block and its primitive's colour planes, gives pixels, or colours in the block for passes that follow. Colours arrive scaled to the buffer's integers:
+// Takes a block and its primitive's colour planes, gives pixels, or colours in the block for passes that follow. Colours
+// arrive scaled to the buffer's integers:
 // float to 8 bits is clamp, times 255, round to nearest even (MESA-RULES 4.2). Setup has seen to it that a plane stays
 // in range by itself, or has set `clamp`.
 #include "pipeline/fragment/color_write.h"
