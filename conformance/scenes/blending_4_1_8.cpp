@@ -68,8 +68,9 @@ void separate(const GlTable& gl) {
   gl.BlendColor(0.37f, 0.72f, 0.18f, 0.61f);
   Random random(11);
   for (int cell = 0; cell < 225; ++cell) {
-    gl.BlendFuncSeparate(factors[random.below(factor_count)], factors[random.below(factor_count - 1)],
-                         factors[random.below(factor_count)], factors[random.below(factor_count - 1)]);
+    const int chosen[4] = {random.below(factor_count), random.below(factor_count - 1), random.below(factor_count),
+                           random.below(factor_count - 1)};
+    gl.BlendFuncSeparate(factors[chosen[0]], factors[chosen[1]], factors[chosen[2]], factors[chosen[3]]);
     source_patch(gl, random, 1.5f + 17 * static_cast<float>(cell % 15), 1.5f + 17 * static_cast<float>(cell / 15), 15);
   }
 }

@@ -8,8 +8,9 @@ namespace {
 // Flat tiles, so that no bit hangs on how a colour is interpolated.
 void tiles(const GlTable& gl, Random& random, float x, float y, int count, float size) {
   for (int i = 0; i < count * count; ++i) {
-    gl.Color4ub(static_cast<GLubyte>(random.below(256)), static_cast<GLubyte>(random.below(256)),
-                static_cast<GLubyte>(random.below(256)), static_cast<GLubyte>(random.below(256)));
+    const auto byte = [&random] { return static_cast<GLubyte>(random.below(256)); };
+    const GLubyte color[4] = {byte(), byte(), byte(), byte()};
+    gl.Color4ubv(color);
     const float left = x + size * static_cast<float>(i % count), bottom = y + size * static_cast<float>(i / count);
     draw_rectangle(gl, left, bottom, left + size, bottom + size, 0);
   }
