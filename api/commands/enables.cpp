@@ -21,6 +21,12 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
   if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights))
     return {&groups.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
   switch (cap) {
+    case GL_ALPHA_TEST:
+      return {&groups.color_buffer.alpha_test_enabled, dirty_raster};
+    case GL_BLEND:
+      return {&groups.color_buffer.blend.enabled, dirty_raster};
+    case GL_COLOR_LOGIC_OP:
+      return {&groups.color_buffer.logic_op_enabled, dirty_raster};
     case GL_COLOR_MATERIAL:
       return {&groups.lighting.color_material_enabled, dirty_lighting};
     case GL_CULL_FACE:
@@ -29,6 +35,8 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
       return {&groups.depth.test_enabled, dirty_raster};
     case GL_DITHER:
       return {&groups.color_buffer.dither_enabled, 0};
+    case GL_INDEX_LOGIC_OP:
+      return {&groups.color_buffer.index_logic_op_enabled, 0};
     case GL_LIGHTING:
       return {&groups.lighting.enabled, dirty_lighting};
     case GL_MULTISAMPLE:

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "api/commands/begin_end.h"
+#include "api/commands/blending.h"
 #include "api/commands/current_values.h"
 #include "api/commands/enables.h"
 #include "api/commands/flush_and_hints.h"
@@ -96,6 +97,15 @@ const BadCall bad_calls[] = {
     {"PolygonMode mode", GL_INVALID_ENUM, [](Context& c) { PolygonMode(c, GL_FRONT, GL_LINES); }},
     {"Scissor width", GL_INVALID_VALUE, [](Context& c) { Scissor(c, 0, 0, -1, 1); }},
     {"Scissor height", GL_INVALID_VALUE, [](Context& c) { Scissor(c, 0, 0, 1, -1); }},
+    {"AlphaFunc", GL_INVALID_ENUM, [](Context& c) { AlphaFunc(c, GL_ALWAYS + 1, 0.5f); }},
+    {"AlphaFunc", GL_INVALID_ENUM, [](Context& c) { AlphaFunc(c, GL_NEVER - 1, 0.5f); }},
+    {"BlendFunc source", GL_INVALID_ENUM, [](Context& c) { BlendFunc(c, bad_enum, GL_ONE); }},
+    {"BlendFunc destination", GL_INVALID_ENUM, [](Context& c) { BlendFunc(c, GL_ONE, GL_SRC_ALPHA_SATURATE); }},
+    {"BlendFuncSeparate", GL_INVALID_ENUM, [](Context& c) { BlendFuncSeparate(c, GL_ZERO, GL_ONE, bad_enum, GL_ONE); }},
+    {"BlendFuncSeparate", GL_INVALID_ENUM, [](Context& c) { BlendFuncSeparate(c, GL_ZERO, GL_ONE, GL_ONE, bad_enum); }},
+    {"BlendEquation", GL_INVALID_ENUM, [](Context& c) { BlendEquation(c, GL_LOGIC_OP); }},
+    {"LogicOp", GL_INVALID_ENUM, [](Context& c) { LogicOp(c, GL_SET + 1); }},
+    {"LogicOp", GL_INVALID_ENUM, [](Context& c) { LogicOp(c, GL_CLEAR - 1); }},
     {"DepthFunc", GL_INVALID_ENUM, [](Context& c) { DepthFunc(c, GL_ALWAYS + 1); }},
     {"DepthFunc", GL_INVALID_ENUM, [](Context& c) { DepthFunc(c, GL_NEVER - 1); }},
     {"Clear", GL_INVALID_VALUE, [](Context& c) { Clear(c, GL_COLOR_BUFFER_BIT | 1); }},

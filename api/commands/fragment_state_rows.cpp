@@ -17,6 +17,11 @@ void read_store(const Context& c, StateValue& v) {
   set(v, (c.state.*store).*parameter);
 }
 
+template <auto parameter>
+void read_blend(const Context& c, StateValue& v) {
+  set(v, c.state.color_buffer.blend.*parameter);
+}
+
 constexpr StateRow rows[] = {
     // Rasterization [GL1.5 Tables 6.13 and 6.14]
     {GL_POINT_SIZE, real, 1, [](const Context& c, StateValue& v) { set(v, c.state.point.size_px); }},
@@ -36,6 +41,18 @@ constexpr StateRow rows[] = {
        const ScissorGroup& scissor = c.state.scissor;
        set(v, scissor.x, scissor.y, scissor.width_px, scissor.height_px);
      }},
+    {GL_ALPHA_TEST_FUNC, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.color_buffer.alpha_func); }},
+    {GL_ALPHA_TEST_REF, normalized, 1,
+     [](const Context& c, StateValue& v) { set(v, c.state.color_buffer.alpha_reference); }},
+    {GL_BLEND_SRC, integer, 1, read_blend<&Blending::source_rgb>},
+    {GL_BLEND_DST, integer, 1, read_blend<&Blending::destination_rgb>},
+    {GL_BLEND_SRC_RGB, integer, 1, read_blend<&Blending::source_rgb>},
+    {GL_BLEND_DST_RGB, integer, 1, read_blend<&Blending::destination_rgb>},
+    {GL_BLEND_SRC_ALPHA, integer, 1, read_blend<&Blending::source_alpha>},
+    {GL_BLEND_DST_ALPHA, integer, 1, read_blend<&Blending::destination_alpha>},
+    {GL_BLEND_EQUATION, integer, 1, read_blend<&Blending::equation>},
+    {GL_BLEND_COLOR, normalized, 4, read_blend<&Blending::constant>},
+    {GL_LOGIC_OP_MODE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.color_buffer.logic_op); }},
     {GL_DEPTH_FUNC, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.func); }},
     {GL_DEPTH_WRITEMASK, boolean, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.write_enabled); }},
     {GL_DEPTH_CLEAR_VALUE, normalized, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.clear_value); }},

@@ -7,7 +7,7 @@
 
 namespace gouraud::api {
 
-static_assert(GL_POINTS == 0 && GL_POLYGON == 9 && GL_NEVER + 7 == GL_ALWAYS);
+static_assert(GL_POINTS == 0 && GL_POLYGON == 9 && GL_NEVER + 7 == GL_ALWAYS && GL_CLEAR + 15 == GL_SET);
 
 /// GL_POINTS .. GL_POLYGON.
 constexpr pipeline::PrimitiveMode primitive_mode(GLenum mode) {
@@ -17,6 +17,41 @@ constexpr pipeline::PrimitiveMode primitive_mode(GLenum mode) {
 /// GL_NEVER .. GL_ALWAYS.
 constexpr pipeline::CompareFunc compare_func(GLenum func) {
   return static_cast<pipeline::CompareFunc>(func - GL_NEVER);
+}
+
+/// GL_CLEAR .. GL_SET.
+constexpr pipeline::LogicOp logic_op(GLenum op) {
+  return static_cast<pipeline::LogicOp>(op - GL_CLEAR);
+}
+
+constexpr pipeline::BlendEquation blend_equation(GLenum mode) {
+  using enum pipeline::BlendEquation;
+  return mode == GL_MIN                     ? min
+         : mode == GL_MAX                   ? max
+         : mode == GL_FUNC_SUBTRACT         ? subtract
+         : mode == GL_FUNC_REVERSE_SUBTRACT ? reverse_subtract
+                                            : add;
+}
+
+constexpr pipeline::BlendFactor blend_factor(GLenum factor) {
+  using enum pipeline::BlendFactor;
+  switch (factor) {
+    case GL_ONE: return one;
+    case GL_SRC_COLOR: return source_color;
+    case GL_ONE_MINUS_SRC_COLOR: return one_minus_source_color;
+    case GL_DST_COLOR: return destination_color;
+    case GL_ONE_MINUS_DST_COLOR: return one_minus_destination_color;
+    case GL_SRC_ALPHA: return source_alpha;
+    case GL_ONE_MINUS_SRC_ALPHA: return one_minus_source_alpha;
+    case GL_DST_ALPHA: return destination_alpha;
+    case GL_ONE_MINUS_DST_ALPHA: return one_minus_destination_alpha;
+    case GL_CONSTANT_COLOR: return constant_color;
+    case GL_ONE_MINUS_CONSTANT_COLOR: return one_minus_constant_color;
+    case GL_CONSTANT_ALPHA: return constant_alpha;
+    case GL_ONE_MINUS_CONSTANT_ALPHA: return one_minus_constant_alpha;
+    case GL_SRC_ALPHA_SATURATE: return source_alpha_saturate;
+    default: return zero;
+  }
 }
 
 constexpr pipeline::PolygonMode polygon_mode(GLenum mode) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/snapshot/blend_snapshot.h"
 #include "api/snapshot/enums.h"
 #include "api/snapshot/lighting_snapshot.h"
 #include "api/state/matrix.h"
@@ -39,8 +40,10 @@ pipeline::DepthState depth_state(const DepthGroup& group, const TargetInfo& targ
 }
 
 pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
-  return {writable_rect(state.scissor, target), depth_state(state.depth, target),
-          color_write_mask(state.color_buffer, target)};
+  const std::uint8_t mask = color_write_mask(state.color_buffer, target);
+  return {writable_rect(state.scissor, target), depth_state(state.depth, target), mask,
+          alpha_test_state(state.color_buffer), blend_state(state.color_buffer, mask),
+          logic_op_state(state.color_buffer, mask, target.format.color)};
 }
 
 pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
@@ -101,8 +104,8 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
                        pipeline::DrawState& draw_state) {
   const pipeline::RasterState old_raster = draw_state.raster;
   if (dirty & dirty_raster) draw_state.raster = raster_state(state, target);
-  const bool colors_matter = draw_state.raster.color_write_mask != 0;
-  if (colors_matter != (old_raster.color_write_mask != 0)) dirty |= dirty_assembly | dirty_lighting;
+  const bool colors_matter = draw_state.raster.needs_colors();
+  if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting;
   if (draw_state.raster.depth.test_enabled != old_raster.depth.test_enabled) dirty |= dirty_viewport;
 
   const pipeline::CullMode old_cull = draw_state.assembly.cull;

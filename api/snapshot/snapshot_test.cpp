@@ -59,6 +59,34 @@ struct View {
   const TargetInfo& target;
 
   bool colors() const {
+    const ColorBufferGroup& c = state.color_buffer;
+    return writes_colors() || (c.alpha_test_enabled && c.alpha_func != GL_ALWAYS && c.alpha_func != GL_NEVER);
+  }
+  bool writes_rgb() const {
+    const auto& mask = state.color_buffer.write_enabled;
+    return target.format.color != pipeline::ColorFormat::none && (mask[0] || mask[1] || mask[2]);
+  }
+  bool writes_alpha() const {
+    return target.format.color != pipeline::ColorFormat::none && state.color_buffer.write_enabled[3];
+  }
+  bool can_blend() const {
+    return state.color_buffer.blend.enabled && !state.color_buffer.logic_op_enabled && writes_colors();
+  }
+  bool takes_factors() const {
+    const GLenum equation = state.color_buffer.blend.equation;
+    return can_blend() && equation != GL_MIN && equation != GL_MAX;
+  }
+  /// Blending that would leave another color than replacing, were it on.
+  bool would_blend() const {
+    const Blending& b = state.color_buffer.blend;
+    const bool factors = b.equation == GL_FUNC_ADD;
+    return (writes_rgb() && !(factors && b.source_rgb == GL_ONE && b.destination_rgb == GL_ZERO)) ||
+           (writes_alpha() && !(factors && b.source_alpha == GL_ONE && b.destination_alpha == GL_ZERO));
+  }
+  bool operates() const {
+    return writes_colors() && target.format.color != pipeline::ColorFormat::rgba32f;
+  }
+  bool writes_colors() const {
     const auto& mask = state.color_buffer.write_enabled;
     return target.format.color != pipeline::ColorFormat::none && (mask[0] || mask[1] || mask[2] || mask[3]);
   }
@@ -295,6 +323,67 @@ void add_framebuffer(std::vector<Parameter>& list) {
                   [](const View& v) { return v.target.format.color != pipeline::ColorFormat::none; }});
 }
 
+void add_alpha_test(std::vector<Parameter>& list) {
+  list.push_back({"alpha test", [](State& s, Random&) { s.color_buffer.alpha_test_enabled ^= true; },
+                  [](const View& v) { return v.state.color_buffer.alpha_func != GL_ALWAYS; }});
+  list.push_back({"alpha func",
+                  [](State& s, Random& r) {
+                    s.color_buffer.alpha_func = other(r, s.color_buffer.alpha_func, {GL_NEVER, GL_LESS, GL_ALWAYS});
+                  },
+                  [](const View& v) { return v.state.color_buffer.alpha_test_enabled; }});
+  list.push_back({"alpha reference", [](State& s, Random& r) { s.color_buffer.alpha_reference = number(r); },
+                  [](const View& v) {
+                    return v.state.color_buffer.alpha_test_enabled && v.state.color_buffer.alpha_func == GL_LESS;
+                  }});
+}
+
+void add_blending(std::vector<Parameter>& list) {
+  const auto factor = [&list](const char* name, GLenum Blending::*which, bool (View::*written)() const) {
+    list.push_back({name,
+                    [which](State& s, Random& r) {
+                      GLenum& now = s.color_buffer.blend.*which;
+                      now = other(r, now, {GL_ONE, GL_ZERO, GL_SRC_ALPHA, GL_DST_ALPHA, GL_CONSTANT_ALPHA});
+                    },
+                    [written](const View& v) { return v.takes_factors() && (v.*written)(); }});
+  };
+  factor("source rgb", &Blending::source_rgb, &View::writes_rgb);
+  factor("destination rgb", &Blending::destination_rgb, &View::writes_rgb);
+  factor("source alpha", &Blending::source_alpha, &View::writes_alpha);
+  factor("destination alpha", &Blending::destination_alpha, &View::writes_alpha);
+  list.push_back({"blend equation",
+                  [](State& s, Random& r) {
+                    GLenum& now = s.color_buffer.blend.equation;
+                    now = other(r, now, {GL_FUNC_ADD, GL_MIN, GL_MAX});
+                  },
+                  [](const View& v) { return v.can_blend(); }});
+  list.push_back({"blend color", [](State& s, Random& r) { s.color_buffer.blend.constant = color(r); },
+                  [](const View& v) {
+                    const Blending& b = v.state.color_buffer.blend;
+                    const auto constant = [](GLenum s, GLenum d) {
+                      return s == GL_CONSTANT_ALPHA || d == GL_CONSTANT_ALPHA;
+                    };
+                    return v.takes_factors() && ((v.writes_rgb() && constant(b.source_rgb, b.destination_rgb)) ||
+                                                 (v.writes_alpha() && constant(b.source_alpha, b.destination_alpha)));
+                  }});
+  list.push_back({"blend", [](State& s, Random&) { s.color_buffer.blend.enabled ^= true; },
+                  [](const View& v) { return !v.state.color_buffer.logic_op_enabled && v.would_blend(); }});
+}
+
+void add_logic_op(std::vector<Parameter>& list) {
+  list.push_back({"logic op", [](State& s, Random&) { s.color_buffer.logic_op_enabled ^= true; },
+                  [](const View& v) {
+                    const bool blends = v.state.color_buffer.blend.enabled && v.would_blend();
+                    return blends || (v.operates() && v.state.color_buffer.logic_op != GL_COPY);
+                  }});
+  list.push_back({"logic op mode",
+                  [](State& s, Random& r) {
+                    s.color_buffer.logic_op = other(r, s.color_buffer.logic_op, {GL_COPY, GL_XOR, GL_NOOP});
+                  },
+                  [](const View& v) { return v.state.color_buffer.logic_op_enabled && v.operates(); }});
+  list.push_back(
+      {"index logic op", [](State& s, Random&) { s.color_buffer.index_logic_op_enabled ^= true; }, never});
+}
+
 void add_what_no_draw_reads(std::vector<Parameter>& list) {
   list.push_back({"current color", [](State& s, Random& r) { s.current.color = color(r); }, never});
   list.push_back({"current normal", [](State& s, Random& r) { s.current.normal_object.x = number(r); }, never});
@@ -313,6 +402,9 @@ std::vector<Parameter> all_parameters() {
   add_lighting(list);
   add_rasterization(list);
   add_framebuffer(list);
+  add_alpha_test(list);
+  add_blending(list);
+  add_logic_op(list);
   add_what_no_draw_reads(list);
   return list;
 }

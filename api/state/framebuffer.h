@@ -43,10 +43,27 @@ struct StencilGroup {
   bool operator==(const StencilGroup&) const = default;
 };
 
+/// How colours are blended [GL1.5 §4.1.8]; part of attribute group COLOR_BUFFER_BIT.
+struct Blending {
+  bool enabled = false;
+  GLenum source_rgb = GL_ONE, destination_rgb = GL_ZERO;
+  GLenum source_alpha = GL_ONE, destination_alpha = GL_ZERO;
+  GLenum equation = GL_FUNC_ADD;
+  glm::vec4 constant{0.0f};  ///< in [0, 1]
+  bool operator==(const Blending&) const = default;
+};
+
 /// Attribute group COLOR_BUFFER_BIT.
 struct ColorBufferGroup {
   std::array<bool, 4> write_enabled{true, true, true, true};  ///< R, G, B, A
   glm::vec4 clear_color{0.0f};                                ///< in [0, 1]
+  bool alpha_test_enabled = false;
+  GLenum alpha_func = GL_ALWAYS;
+  float alpha_reference = 0.0f;  ///< in [0, 1]
+  Blending blend;
+  bool logic_op_enabled = false;
+  bool index_logic_op_enabled = false;  ///< kept, but there is no color index mode
+  GLenum logic_op = GL_COPY;
   GLuint index_write_mask = ~0u;  ///< of colour index mode, as clear_index: kept, but there is no such mode
   float clear_index = 0.0f;
   /// choice: dithering never changes a value, whether enabled or not; Mesa's does neither [GL1.5 §4.1.9].

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "conformance/oracle/blending.h"
+
 namespace gouraud::oracle {
 namespace {
 
@@ -79,13 +81,7 @@ bool is_ambiguous(CompareFunc func, const Depth& incoming, const OraclePixel& pi
 
 OraclePixel written(OraclePixel pixel, const pipeline::RasterState& state, const Fragment& fragment,
                     const Depth& depth) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if ((state.color_write_mask >> i & 1) == 0) continue;
-    pixel.color[i] = clamped_to_unit(fragment.color[i]);
-    pixel.color_unorm8[i] = static_cast<std::uint8_t>(std::nearbyint(pixel.color[i] * 255.0));
-    pixel.color_lowest[i] = static_cast<float>(clamped_to_unit(fragment.color_lowest[i]));
-    pixel.color_highest[i] = static_cast<float>(clamped_to_unit(fragment.color_highest[i]));
-  }
+  write_color(pixel, state, fragment);
   if (state.depth.test_enabled && state.depth.write_enabled) {
     pixel.depth_units = depth.units;
     pixel.depth_stored = depth.stored;
@@ -165,16 +161,18 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
 
   const bool tested = state.depth.test_enabled && picture.depth_bits > 0;
   const Depth depth = to_buffer_units(fragment, picture.depth_bits);
+  const AlphaVerdict alpha = test_alpha(state.alpha_test, fragment);
+  if (!alpha.passes && !alpha.ambiguous) return;
   const auto passes_on = [&](const OraclePixel& pixel) {
     return !tested || passes(state.depth.func, depth.stored, pixel.depth_stored);
   };
   OraclePixel& pixel = picture.pixels[index];
-  const bool passed = passes_on(pixel);
+  const bool passed = alpha.passes && passes_on(pixel);
   if (passed) ++picture.fragments_written[index];
 
   // The usual case: one content, one outcome.
   const bool only_one = picture.alternatives.empty() || !picture.alternatives.contains(index);
-  if (only_one && !(tested && is_ambiguous(state.depth.func, depth, pixel))) {
+  if (only_one && !alpha.ambiguous && !(tested && is_ambiguous(state.depth.func, depth, pixel))) {
     if (passed) pixel = written(pixel, state, fragment, depth);
     return;
   }
@@ -183,9 +181,10 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
   std::vector<OraclePixel> outcomes, less_likely;
   for (const OraclePixel& content : possible_contents(picture, index)) {
     const OraclePixel after = written(content, state, fragment, depth);
-    const bool likely_pass = passes_on(content);
+    const bool depth_passes = passes_on(content), likely_pass = alpha.passes && depth_passes;
     outcomes.push_back(likely_pass ? after : content);
-    if (tested && is_ambiguous(state.depth.func, depth, content)) {
+    const bool turns = alpha.ambiguous && depth_passes;
+    if (turns || (tested && is_ambiguous(state.depth.func, depth, content))) {
       picture.flags[index] |= pixel_depth_ambiguous;
       less_likely.push_back(likely_pass ? content : after);
     }

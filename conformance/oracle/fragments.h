@@ -1,4 +1,4 @@
-// Takes fragments and clears, gives the picture [GL1.5 §4.1.2, §4.1.6, §4.2.2, §4.2.3].
+// Takes fragments and clears, gives the picture [GL1.5 §4.1.2, §4.1.4, §4.1.6, §4.2.2, §4.2.3].
 // Keeps beside every ideal value the stored integer, because later tests work on stored values. Where a depth test
 // hangs on less than the legal error (OracleOptions::depth_slack_units), both outcomes are kept as possible contents of
 // the pixel; fragments of exactly the same ideal depth are equal, as repeated drawing must be [GL1.5 App. A].
@@ -25,7 +25,7 @@ double depth_units_of(int depth_bits);
 /// A new picture: everything zero.
 OraclePicture make_picture(int width_px, int height_px, int depth_bits);
 
-/// Scissor, depth test, masks and write.
+/// Scissor, alpha and depth test, blending, masks and write.
 void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& fragment);
 
 void clear_picture(OraclePicture& picture, const pipeline::ClearState& state);

@@ -26,7 +26,10 @@ SceneList polygon_scenes();          // §3.5.1
 SceneList polygon_mode_scenes();     // §3.5.4
 SceneList color_sum_scenes();        // §3.9
 SceneList scissor_scenes();          // §4.1.2
+SceneList alpha_test_scenes();       // §4.1.4
 SceneList depth_scenes();            // §4.1.6
+SceneList blending_scenes();         // §4.1.8
+SceneList logic_op_scenes();         // §4.1.10
 SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
 SceneList display_list_scenes();     // §5.4
 

@@ -131,13 +131,62 @@ struct DepthState {
   bool operator==(const DepthState&) const = default;
 };
 
+/// [GL1.5 §4.1.4]. If !enabled, or if the function is `never`, the reference is 0; `always` is not enabled.
+struct AlphaTestState {
+  bool enabled = false;
+  CompareFunc func = CompareFunc::always;
+  float reference = 0.0f;  ///< in [0, 1]
+  bool operator==(const AlphaTestState&) const = default;
+};
+
+/// [GL1.5 §4.1.8]. min and max take no factors.
+enum class BlendEquation : std::uint8_t { add, subtract, reverse_subtract, min, max };
+
+/// [GL1.5 §4.1.8 Table 4.1].
+enum class BlendFactor : std::uint8_t {
+  zero, one, source_color, one_minus_source_color, destination_color, one_minus_destination_color, source_alpha,
+  one_minus_source_alpha, destination_alpha, one_minus_destination_alpha, constant_color, one_minus_constant_color,
+  constant_alpha, one_minus_constant_alpha, source_alpha_saturate
+};
+
+/// How one group of channels is blended; (one, zero, add) replaces.
+struct BlendTerms {
+  BlendEquation equation = BlendEquation::add;
+  BlendFactor source = BlendFactor::one, destination = BlendFactor::zero;
+  bool operator==(const BlendTerms&) const = default;
+};
+
+/// [GL1.5 §4.1.8]. Absent (all initial) if it would replace. Terms of channels that are not written replace; those of
+/// alpha name alpha where they could name colour; the constant is 0 if no factor takes it.
+struct BlendState {
+  bool enabled = false;
+  BlendTerms rgb{}, alpha{};
+  glm::vec4 constant{0.0f};  ///< in [0, 1]
+  bool operator==(const BlendState&) const = default;
+};
+
+/// [GL1.5 §4.1.10 Table 4.2].
+enum class LogicOp : std::uint8_t {
+  clear, and_, and_reverse, copy, and_inverted, noop, xor_, or_, nor, equiv, invert, or_reverse, copy_inverted,
+  or_inverted, nand, set
+};
+
 /// Everything that fragments need after rasterization: small, interned, referred to by the bins until a flush.
 struct RasterState {
   /// Where fragments may land: scissor box (if enabled) and target, intersected.
   PixelRect scissor{};
   DepthState depth{};
   std::uint8_t color_write_mask = 0xF;  ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 if the target has no colour
+  AlphaTestState alpha_test{};
+  BlendState blend{};
+  /// `copy` without a logic operation, and on floating-point targets, where it has no meaning. Excludes blending.
+  LogicOp logic_op = LogicOp::copy;
   bool operator==(const RasterState&) const = default;
+
+  /// Whether fragments need their colour: for the target or for a test.
+  bool needs_colors() const {
+    return color_write_mask != 0 || (alpha_test.enabled && alpha_test.func != CompareFunc::never);
+  }
 };
 static_assert(std::is_trivially_copyable_v<RasterState> && sizeof(RasterState) <= 512);
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <string_view>
 
+#include "pipeline/fragment/alpha.h"
+#include "pipeline/fragment/blend.h"
 #include "pipeline/fragment/color_write.h"
 #include "pipeline/fragment/depth.h"
 
@@ -45,6 +47,27 @@ std::string describe_lights(const LightingState& lighting) {
   return text;
 }
 
+constexpr std::array<std::string_view, 15> factor_names{
+    "zero", "one", "source color", "1 - source color", "destination color", "1 - destination color", "source alpha",
+    "1 - source alpha", "destination alpha", "1 - destination alpha", "constant color", "1 - constant color",
+    "constant alpha", "1 - constant alpha", "saturated source alpha"};
+constexpr std::array<std::string_view, 16> logic_op_names{
+    "clear", "and", "and reverse", "copy", "and inverted", "noop", "xor", "or", "nor", "equiv", "invert", "or reverse",
+    "copy inverted", "or inverted", "nand", "set"};
+
+std::string describe_terms(const BlendTerms& terms) {
+  constexpr std::array<std::string_view, 5> equations{"add", "subtract", "reverse subtract", "min", "max"};
+  std::string text(equations[static_cast<std::size_t>(terms.equation)]);
+  if (terms.equation == BlendEquation::min || terms.equation == BlendEquation::max) return text;
+  const auto name = [](BlendFactor factor) { return factor_names[static_cast<std::size_t>(factor)]; };
+  return text.append(" (").append(name(terms.source)).append(", ").append(name(terms.destination)).append(")");
+}
+
+std::string describe_blending(const BlendState& blend) {
+  if (blend.rgb == blend.alpha) return describe_terms(blend.rgb);
+  return "color " + describe_terms(blend.rgb) + ", alpha " + describe_terms(blend.alpha);
+}
+
 }  // namespace
 
 Plan make_plan(const DrawState& state, TargetFormat target) {
@@ -53,16 +76,27 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   // What can reach the framebuffer?
   const bool tests_depth = state.raster.depth.test_enabled && target.depth != DepthFormat::none;
   const bool writes_depth = tests_depth && state.raster.depth.write_enabled;
-  const bool writes_color = target.color != ColorFormat::none && state.raster.color_write_mask != 0;
-  const bool all_fail = tests_depth && state.raster.depth.func == CompareFunc::never;
+  const bool writes_color = target.color != ColorFormat::none && state.raster.color_write_mask != 0 &&
+                            state.raster.logic_op != LogicOp::noop;
+  plan.alpha_test = state.raster.alpha_test.enabled;
+  const bool all_fail = (tests_depth && state.raster.depth.func == CompareFunc::never) ||
+                        (plan.alpha_test && state.raster.alpha_test.func == CompareFunc::never);
   plan.draws = (writes_color || writes_depth) && !all_fail && !state.raster.scissor.empty();
-  if (!plan.draws) return plan;
+  if (!plan.draws) return {};
 
   // Which passes does that take?
   plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);
+  plan.colors = writes_color || plan.alpha_test;
+  plan.blends = writes_color && (state.raster.blend.enabled || state.raster.logic_op != LogicOp::copy);
+  if (plan.alpha_test) plan.fragment.add(color_interpolation_pass());
+  if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
   if (plan.depth) plan.fragment.add(depth_test_pass(state.raster.depth.func, target.depth));
-  plan.colors = writes_color;
-  if (plan.colors) plan.fragment.add(color_write_pass(target.color, state.raster.color_write_mask));
+  if (plan.blends && !plan.alpha_test) plan.fragment.add(color_interpolation_pass());
+  plan.writes_color = writes_color;
+  if (writes_color) {
+    plan.fragment.add(plan.blends || plan.alpha_test ? blend_pass(state.raster, target.color)
+                                                     : color_write_pass(target.color, state.raster.color_write_mask));
+  }
 
   // Which vertex stages, and which attributes?
   plan.lighting = plan.colors && state.lighting.enabled;
@@ -94,12 +128,17 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   line("clip and project", "", "§2.12, §2.11.1");
   if (state.assembly.cull != CullMode::none) line("cull", "", "§3.5.1");
   line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
+  if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
   if (plan.depth) {
     std::string detail(compare_names[static_cast<std::size_t>(state.raster.depth.func)]);
     if (state.raster.depth.write_enabled) detail += ", write";
     line("depth test", detail, "§4.1.6");
   }
-  if (plan.colors) {
+  if (plan.blends && state.raster.blend.enabled) line("blend", describe_blending(state.raster.blend), "§4.1.8");
+  if (plan.blends && !state.raster.blend.enabled) {
+    line("logical operation", logic_op_names[static_cast<std::size_t>(state.raster.logic_op)], "§4.1.10");
+  }
+  if (plan.writes_color) {
     constexpr std::array<std::string_view, 4> formats{"", "8 bits", "16 bits", "float"};
     std::string detail(formats[static_cast<std::size_t>(target.color)]);
     if (state.raster.color_write_mask != 0xF) detail += ", masked";

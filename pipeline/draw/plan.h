@@ -36,6 +36,11 @@ struct Plan {
   bool colors = false;
   bool depth = false;
 
+  // What becomes of the colours.
+  bool alpha_test = false;
+  bool blends = false;  ///< blending or a logical operation
+  bool writes_color = false;
+
   FragmentPasses fragment{};
   bool operator==(const Plan&) const = default;
 };

@@ -94,6 +94,42 @@ TEST(Plan, ADepthTestThatAlwaysPassesAndWritesNothingIsAbsent) {
   EXPECT_EQ(stages(state), stages(unlit()));
 }
 
+TEST(Plan, BlendsBetweenInterpolationAndWrite) {
+  DrawState state = unlit();
+  state.raster.blend = {true, {BlendEquation::add, BlendFactor::source_alpha, BlendFactor::one_minus_source_alpha},
+                        {BlendEquation::add, BlendFactor::source_alpha, BlendFactor::one_minus_source_alpha}, {}};
+  Stages expected = stages(unlit());
+  expected.insert(expected.end() - 1, "blend");
+  EXPECT_EQ(stages(state), expected);
+  EXPECT_NE(describe(make_plan(state, window), state, window)
+                .find("blend: add (source alpha, 1 - source alpha)  [GL1.5 §4.1.8]"),
+            std::string::npos);
+}
+
+TEST(Plan, TestsAlphaBeforeDepth) {
+  DrawState state = unlit();
+  state.raster.depth = {true, true, CompareFunc::less};
+  state.raster.alpha_test = {true, CompareFunc::greater, 0.5f};
+  const Stages all = stages(state);
+  EXPECT_EQ(Stages(all.end() - 3, all.end()), (Stages{"alpha test", "depth test", "write color"}));
+
+  state.raster.color_write_mask = 0;
+  const Stages masked = stages(state);
+  EXPECT_EQ(Stages(masked.end() - 2, masked.end()), (Stages{"alpha test", "depth test"}));
+  EXPECT_EQ(make_plan(state, window).vertex_demand, attribute_color);
+
+  state.raster.alpha_test = {true, CompareFunc::never, 0.0f};
+  EXPECT_FALSE(make_plan(state, window).draws);
+}
+
+TEST(Plan, ALogicOpThatChangesNothingWritesNothing) {
+  DrawState state = unlit();
+  state.raster.logic_op = LogicOp::xor_;
+  EXPECT_EQ(stages(state).end()[-2], "logical operation");
+  state.raster.logic_op = LogicOp::noop;
+  EXPECT_FALSE(make_plan(state, window).draws);
+}
+
 TEST(Plan, WithoutADepthBufferTestsNoDepth) {
   DrawState state = unlit();
   state.raster.depth = {true, true, CompareFunc::less};

@@ -1,10 +1,10 @@
-// Takes a block and its primitive's colour planes, gives pixels. Colours arrive scaled to the buffer's integers:
+// Takes a block and its primitive's colour planes, gives pixels, or colours in the block for passes that follow. Colours
+// arrive scaled to the buffer's integers:
 // float to 8 bits is clamp, times 255, round to nearest even (MESA-RULES 4.2). Setup has seen to it that a plane stays
 // in range by itself, or has set `clamp`.
 #include "pipeline/fragment/color_write.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cstddef>
 
 #include "pipeline/raster/primitive.h"
 #include "pipeline/simd/dispatch.h"
@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/pixel_words-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,77 +43,63 @@ struct BlockColor {
 
 /// 8-bit targets: four channels packed into one word a pixel.
 template <bool all_channels>
-struct Unorm8 {
-  /// One byte a channel, from floats in [0, 255] (give or take what rounding forgives).
-  static HWY_INLINE IntVector pack(FloatVector r, FloatVector g, FloatVector b, FloatVector a) {
-    const auto byte = [](FloatVector v) HWY_ATTR { return bits_after_adding(rounding_magic_positive, v); };
-    const IntVector low = hn::Or(hn::Xor(byte(r), hn::Set(IntTag(), rounding_bits_positive)), hn::ShiftLeft<8>(byte(g)));
-    return hn::Or(low, hn::Or(hn::ShiftLeft<16>(byte(b)), hn::ShiftLeft<24>(byte(a))));
-  }
-  static HWY_INLINE void put(IntVector packed, std::uint64_t covered, std::int32_t* out, std::int32_t channel_bits) {
-    const IntTag d;
-    if constexpr (all_channels) {
-      if (all_lanes(covered)) return hn::Store(packed, d, out);
-    }
-    const IntVector stored = hn::Load(d, out);
-    if constexpr (!all_channels) {
-      const IntVector channels = hn::Set(d, channel_bits);
-      packed = hn::Or(hn::And(packed, channels), hn::AndNot(channels, stored));
-    }
-    hn::Store(hn::IfThenElse(mask_of(d, covered), packed, stored), d, out);
-  }
-  static HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
-                               std::size_t pixel, const TileTarget& target, std::uint8_t write_mask) {
-    put(pack(r, g, b, a), covered, reinterpret_cast<std::int32_t*>(target.color) + pixel, channel_bits_of(write_mask));
-  }
-  static HWY_INLINE std::int32_t channel_bits_of(std::uint8_t write_mask) {
-    std::uint32_t bits = 0;
-    for (std::uint32_t k = 0; k < 4; ++k) bits |= (write_mask >> k & 1u) != 0 ? 0xFFu << (8 * k) : 0u;
-    return static_cast<std::int32_t>(bits);
+struct Unorm8Sink {
+  Unorm8Writer<all_channels> writer;
+  HWY_INLINE Unorm8Sink(FragmentBlock& block, const TileTarget& target)
+      : writer(target, block.first_pixel, block.primitive->binding->state.color_write_mask) {}
+  HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
+                        std::size_t lane) const {
+    writer.put(pack_unorm8(r, g, b, a), covered, lane);
   }
 };
 
-/// Wider targets: four words a pixel, written lane by lane where the block is not whole.
+/// Wider targets: four words a pixel, written lane by lane.
 template <class Word>
-struct Wide {
-  static HWY_INLINE Word convert(float value) {
-    if constexpr (std::is_same_v<Word, float>) return value;
-    else return static_cast<Word>(std::nearbyint(value));
-  }
-  static HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
-                               std::size_t pixel, const TileTarget& target, std::uint8_t write_mask) {
+struct WideSink {
+  WideWriter<Word> writer;
+  HWY_INLINE WideSink(FragmentBlock& block, const TileTarget& target)
+      : writer(target, block.first_pixel, block.primitive->binding->state.color_write_mask) {}
+  HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
+                        std::size_t lane) const {
     const FloatTag d;
     alignas(64) float values[4][16];
     hn::Store(r, d, values[0]);
     hn::Store(g, d, values[1]);
     hn::Store(b, d, values[2]);
     hn::Store(a, d, values[3]);
-    Word* out = reinterpret_cast<Word*>(target.color) + 4 * pixel;
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      if ((covered >> lane & 1u) == 0) continue;
-      for (std::size_t k = 0; k < 4; ++k) {
-        if ((write_mask >> k & 1u) != 0) out[4 * lane + k] = convert(values[k][lane]);
-      }
+    for (std::size_t i = 0; i < hn::Lanes(d); ++i) {
+      if ((covered >> i & 1u) != 0) writer.put(values[0][i], values[1][i], values[2][i], values[3][i], lane + i);
     }
   }
 };
 
+/// The block itself, for passes that follow.
+struct BlockSink {
+  FragmentBlock& block;
+  HWY_INLINE BlockSink(FragmentBlock& b, const TileTarget&) : block(b) {}
+  HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t, std::size_t lane) const {
+    const FloatTag d;
+    hn::Store(r, d, block.color[0].data() + lane);
+    hn::Store(g, d, block.color[1].data() + lane);
+    hn::Store(b, d, block.color[2].data() + lane);
+    hn::Store(a, d, block.color[3].data() + lane);
+  }
+};
+
 template <class Sink>
-HWY_INLINE void write_constant(const FragmentBlock& block, const ColorRecord& color, const TileTarget& target,
-                               std::uint8_t write_mask) {
+HWY_INLINE void write_constant(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
   const FloatTag d;
   const FloatVector r = hn::Set(d, color.base[0]), g = hn::Set(d, color.base[1]);
   const FloatVector b = hn::Set(d, color.base[2]), a = hn::Set(d, color.base[3]);
   for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
     const std::uint64_t covered = lane_bits(block.coverage, lane);
     if (covered == 0) continue;
-    Sink::write(r, g, b, a, covered, static_cast<std::size_t>(block.first_pixel) + lane, target, write_mask);
+    sink.write(r, g, b, a, covered, lane);
   }
 }
 
 template <class Sink, bool perspective, bool clamp, bool whole_block>
-HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color, const TileTarget& target,
-                              std::uint8_t write_mask) {
+HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
   const FloatTag d;
   const BlockColor planes(color, block.x, block.y);
   const BlockPlane red = planes.plane(0), green = planes.plane(1), blue = planes.plane(2), alpha = planes.plane(3);
@@ -136,8 +123,7 @@ HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color
           if constexpr (clamp) value = clamp_lanes(value, hn::Set(d, color.minimum[k]), hn::Set(d, color.maximum[k]));
           return value;
         };
-        Sink::write(channel(r, 0), channel(g, 1), channel(b, 2), channel(a, 3), covered,
-                    static_cast<std::size_t>(block.first_pixel) + first_lane, target, write_mask);
+        sink.write(channel(r, 0), channel(g, 1), channel(b, 2), channel(a, 3), covered, first_lane);
       }
       r = hn::Add(r, pair_step(red));
       g = hn::Add(g, pair_step(green));
@@ -149,45 +135,48 @@ HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color
 }
 
 template <class Sink, bool perspective, bool clamp>
-HWY_INLINE void write_varying(const FragmentBlock& block, const ColorRecord& color, const TileTarget& target,
-                              std::uint8_t write_mask) {
+HWY_INLINE void write_varying(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
   if (block.coverage == ~std::uint64_t{0}) {
-    write_lanes<Sink, perspective, clamp, true>(block, color, target, write_mask);
+    write_lanes<Sink, perspective, clamp, true>(block, color, sink);
   } else {
-    write_lanes<Sink, perspective, clamp, false>(block, color, target, write_mask);
+    write_lanes<Sink, perspective, clamp, false>(block, color, sink);
   }
 }
 
 template <class Sink>
-void color_write(FragmentBlock& block, const TileTarget& target) {
+void shade(FragmentBlock& block, const TileTarget& target) {
   const ColorRecord& color = color_of(*block.primitive);
-  const std::uint8_t mask = block.primitive->binding->state.color_write_mask;
+  const Sink sink(block, target);
   switch (color.variation) {
-    case ColorVariation::constant: return write_constant<Sink>(block, color, target, mask);
+    case ColorVariation::constant: return write_constant<Sink>(block, color, sink);
     case ColorVariation::affine:
-      return color.clamp ? write_varying<Sink, false, true>(block, color, target, mask)
-                         : write_varying<Sink, false, false>(block, color, target, mask);
+      return color.clamp ? write_varying<Sink, false, true>(block, color, sink)
+                         : write_varying<Sink, false, false>(block, color, sink);
     case ColorVariation::perspective:
-      return color.clamp ? write_varying<Sink, true, true>(block, color, target, mask)
-                         : write_varying<Sink, true, false>(block, color, target, mask);
+      return color.clamp ? write_varying<Sink, true, true>(block, color, sink)
+                         : write_varying<Sink, true, false>(block, color, sink);
   }
 }
 
 FragmentPass select(ColorFormat format, std::uint8_t write_mask) {
   switch (format) {
-    case ColorFormat::rgba16: return color_write<Wide<std::uint16_t>>;
-    case ColorFormat::rgba32f: return color_write<Wide<float>>;
+    case ColorFormat::rgba16: return shade<WideSink<std::uint16_t>>;
+    case ColorFormat::rgba32f: return shade<WideSink<float>>;
     case ColorFormat::rgba8:
     case ColorFormat::none: break;
   }
-  return write_mask == 0xF ? color_write<Unorm8<true>> : color_write<Unorm8<false>>;
+  return write_mask == 0xF ? shade<Unorm8Sink<true>> : shade<Unorm8Sink<false>>;
 }
+
+FragmentPass select_interpolation() { return shade<BlockSink>; }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
+
+FragmentPass color_interpolation_pass() { return GOURAUD_SIMD_PICK(select_interpolation)(); }
 
 FragmentPass color_write_pass(ColorFormat format, std::uint8_t write_mask) {
   return GOURAUD_SIMD_PICK(select)(format, write_mask);

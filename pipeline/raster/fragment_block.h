@@ -23,13 +23,16 @@ struct FragmentBlock {
   std::int32_t x = 0, y = 0;      ///< window position of lane 0's pixel
   std::int32_t first_pixel = 0;   ///< lane 0's place among the tile's pixels
   const PrimitiveRecord* primitive = nullptr;
+  /// R, G, B, A of each lane, times the target's color_scale; valid behind the interpolating pass, if the plan has one.
+  /// Lanes that are not alive hold anything.
+  alignas(64) std::array<std::array<float, 64>, 4> color;
 };
 
 using FragmentPass = void (*)(FragmentBlock& block, const TileTarget& target);
 
 /// The fragment passes of a plan, in order. A block that has lost all its fragments goes no further.
 struct FragmentPasses {
-  static constexpr int max_passes = 4;
+  static constexpr int max_passes = 8;
   std::array<FragmentPass, max_passes> pass{};
   std::int32_t count = 0;
 
