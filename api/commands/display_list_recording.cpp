@@ -1,6 +1,7 @@
 // Takes the records of the entry points, puts them into the open list [GL1.5 §5.4]: vertices and their values in one
 // canonical form, whole runs of them as a VertexRun, other commands as they are, with a copy of the client memory.
-// Leaves out: images and indices, which no command yet reads in a list; their pointers become null.
+// Draws from vertex arrays are taken apart into vertices at once.
+// Leaves out: images, which no command yet reads in a list; their pointers become null.
 #include <cstring>
 #include <new>
 #include <span>
@@ -29,6 +30,21 @@ bool is_proxy(Opcode opcode, const void* record) {
     }
     case Opcode::TexImage3D:
       return static_cast<const records::TexImage3D*>(record)->target == GL_PROXY_TEXTURE_3D;
+    default:
+      return false;
+  }
+}
+
+// These read client memory now: their handlers record what they find there, vertex by vertex.
+bool reads_arrays(Opcode opcode) {
+  switch (opcode) {
+    case Opcode::ArrayElement:
+    case Opcode::DrawArrays:
+    case Opcode::DrawElements:
+    case Opcode::DrawRangeElements:
+    case Opcode::MultiDrawArrays:
+    case Opcode::MultiDrawElements:
+      return true;
     default:
       return false;
   }
@@ -199,6 +215,10 @@ bool append_record(Context& context, Opcode opcode, const void* record, std::siz
   ListCompiler& compiler = context.list_compiler;
   if (is_proxy(opcode, record)) return true;
   try {
+    if (reads_arrays(opcode)) {
+      records::execute(context, opcode, record);
+      return false;
+    }
     if (!compiler.out_of_memory) append(context, opcode, record, bytes);
   } catch (const std::bad_alloc&) {
     compiler.out_of_memory = true;

@@ -2,6 +2,7 @@
 #include <GL/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -436,6 +437,41 @@ TEST_F(DisplayListsTest, RunWithoutColoursTakesTheCurrentOneUpToItsFirst) {
     glCallList(1);
     EXPECT_EQ(screen_.pixels(), expected);
     EXPECT_EQ(color()[0], 0.5f);
+  }
+}
+
+TEST_F(DisplayListsTest, VertexArraysAreReadWhenTheyAreCompiled) {
+  std::vector<GLfloat> positions{-1, -1, 1, -1, 1, 1, -1, 1};
+  std::vector<GLubyte> colors{255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 0, 255};
+  std::vector<GLushort> indices{0, 1, 2, 0, 2, 3};
+  glEnableClientState(GL_VERTEX_ARRAY);
+  glEnableClientState(GL_COLOR_ARRAY);
+  glVertexPointer(2, GL_FLOAT, 0, positions.data());
+  glColorPointer(4, GL_UNSIGNED_BYTE, 0, colors.data());
+  const std::vector<std::function<void()>> draws{
+      [] { glDrawArrays(GL_QUADS, 0, 4); },
+      [&] { glDrawElements(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, indices.data()); },
+      [] {
+        glBegin(GL_QUADS);
+        for (GLint i = 0; i < 4; ++i) glArrayElement(i);
+        glEnd();
+      }};
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    for (const auto& draw : draws) {
+      glClear(GL_COLOR_BUFFER_BIT);
+      draw();
+      const auto expected = screen_.pixels();
+      EXPECT_NE(expected, std::vector<std::uint32_t>(expected.size(), 0));
+      glClear(GL_COLOR_BUFFER_BIT);
+      compile(1, draw, mode);
+      EXPECT_EQ(screen_.pixels() == expected, mode == GL_COMPILE_AND_EXECUTE);
+      const auto kept = positions;
+      positions.assign(positions.size(), 9.0f);
+      glClear(GL_COLOR_BUFFER_BIT);
+      glCallList(1);
+      EXPECT_EQ(screen_.pixels(), expected);
+      std::copy(kept.begin(), kept.end(), positions.begin());
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 // Takes vertex arrays and the numbers of their elements, gives vertices to immediate mode's batch [GL1.5 §2.8, §2.9].
 // Blocks of positions, normals and colours are written to the batch at once; a draw that demands more of its vertices
 // goes through Vertex, element by element.
+// While a list is compiled the vertices go into it as Begin, values and End.
 // Leaves out: sharing of vertices that several indices name.
 #include "api/commands/draw_arrays.h"
 
@@ -66,17 +67,49 @@ void set_current(CurrentGroup& current, int name, const std::array<float, 4>& va
   }
 }
 
-void append_element(Context& context, const Sources& sources, GLuint element) {
-  const auto value_of = [&](int name) {
-    std::array<float, 4> value;
-    sources.at(name).fetch(sources.at(name), {&element, 1}, {{&value[0], &value[1], &value[2], &value[3]}, 4});
-    return value;
-  };
+// The element's value in an array, widened to four floats.
+std::array<float, 4> value_of(const Sources& sources, int name, GLuint element) {
+  std::array<float, 4> value;
+  sources.at(name).fetch(sources.at(name), {&element, 1}, {{&value[0], &value[1], &value[2], &value[3]}, 4});
+  return value;
+}
+
+// One value of an element, as the command that gives it: while a list is open, that records it.
+void call_value(int name, const std::array<float, 4>& v) {
+  switch (name) {
+    case array_vertex:
+      return glVertex4f(v[0], v[1], v[2], v[3]);
+    case array_normal:
+      return glNormal3f(v[0], v[1], v[2]);
+    case array_color:
+      return glColor4f(v[0], v[1], v[2], v[3]);
+    case array_secondary_color:
+      return glSecondaryColor3f(v[0], v[1], v[2]);
+    case array_index:
+      return glIndexf(v[0]);
+    case array_fog_coordinate:
+      return glFogCoordf(v[0]);
+    case array_edge_flag:
+      return glEdgeFlag(v[0] != 0.0f ? GL_TRUE : GL_FALSE);
+    default:
+      return glMultiTexCoord4f(GL_TEXTURE0 + static_cast<GLenum>(name - array_texture_coordinates), v[0], v[1], v[2], v[3]);
+  }
+}
+
+// A list takes the values that the arrays have now [GL1.5 §5.4].
+void record_element(const Sources& sources, GLuint element) {
   for (int name = array_vertex + 1; name < array_count; ++name) {
-    if (sources.has(name)) set_current(context.state.current, name, value_of(name));
+    if (sources.has(name)) call_value(name, value_of(sources, name, element));
+  }
+  if (sources.has(array_vertex)) call_value(array_vertex, value_of(sources, array_vertex, element));
+}
+
+void append_element(Context& context, const Sources& sources, GLuint element) {
+  for (int name = array_vertex + 1; name < array_count; ++name) {
+    if (sources.has(name)) set_current(context.state.current, name, value_of(sources, name, element));
   }
   if (!sources.has(array_vertex)) return;
-  const std::array<float, 4> position = value_of(array_vertex);
+  const std::array<float, 4> position = value_of(sources, array_vertex, element);
   Vertex4f(context, position[0], position[1], position[2], position[3]);
 }
 
@@ -130,6 +163,15 @@ void append_all(Context& context, const Sources& sources, std::uintptr_t count, 
 template <class Number>
 void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t count, Number number) {
   if (!sources.has(array_vertex) || count == 0) return;
+  if (context.compiling()) {
+    glBegin(mode);
+    for (std::uintptr_t done = 0; done < count; ++done) {
+      GLuint element;
+      number(done, {&element, 1});
+      record_element(sources, element);
+    }
+    return glEnd();
+  }
   const CurrentGroup before = context.state.current;
   context.begin_primitive(primitive_mode(mode));
   try {
@@ -236,7 +278,9 @@ void draw_elements(Context& context, GLenum mode, GLsizei count, GLenum type, co
 void ArrayElement(Context& context, GLint i) {
   if (i < 0) return context.record_error(GL_INVALID_VALUE, "glArrayElement", "i is negative");
   Sources sources;
-  if (collect(context, "glArrayElement", sources)) append_element(context, sources, static_cast<GLuint>(i));
+  if (!collect(context, "glArrayElement", sources)) return;
+  if (context.compiling()) return record_element(sources, static_cast<GLuint>(i));
+  append_element(context, sources, static_cast<GLuint>(i));
 }
 
 void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
