@@ -6,6 +6,8 @@
 #include "api/commands/state_table.h"
 #include "pipeline/simd/dispatch.h"
 
+#include "extension_names.h"
+
 namespace gouraud::api {
 namespace {
 
@@ -48,7 +50,7 @@ const GLubyte* GetString(Context& context, GLenum name) {
       text = "1.5 Gouraud 0.1.0";
       break;
     case GL_EXTENSIONS:
-      text = "";
+      text = extension_names;
       break;
     default:
       context.record_error(GL_INVALID_ENUM, "glGetString", "name is unknown");
