@@ -118,6 +118,9 @@ TEST(GetString, NamesTheImplementation) {
   EXPECT_EQ(text(GL_VENDOR), "Gouraud");
   EXPECT_EQ(text(GL_VERSION).substr(0, 4), "1.5 ");
   EXPECT_EQ(text(GL_RENDERER).substr(0, 18), "Gouraud software (");
+  const std::string extensions = " " + text(GL_EXTENSIONS) + " ";
+  EXPECT_NE(extensions.find(" GL_ARB_vertex_buffer_object "), std::string::npos);
+  EXPECT_EQ(extensions.find(" GL_ARB_multitexture "), std::string::npos);
 }
 
 }  // namespace

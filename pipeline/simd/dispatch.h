@@ -28,7 +28,8 @@
 
 namespace gouraud::pipeline::simd {
 
-/// Instruction sets in ascending order. `baseline` is what the compiler may always assume (SSE2 on x86-64, NEON on Arm).
+/// Instruction sets in ascending order. `baseline` is what the compiler may always assume (on x86-64 one lane at a time:
+/// Highway 1.0 has no SSE2 target; on Arm NEON).
 enum class Target { baseline, sse4, avx2, avx512 };
 
 /// The instruction set in use: the best that this CPU has, or the one that the environment variable GOURAUD_SIMD
