@@ -8,7 +8,7 @@ namespace gouraud::api {
 
 inline constexpr int max_lights = pipeline::max_lights;
 inline constexpr int max_clip_planes = pipeline::max_clip_planes;
-inline constexpr int max_texture_units = 8;
+inline constexpr int max_texture_units = pipeline::max_texture_units;
 inline constexpr int max_modelview_stack_depth = 32;
 inline constexpr int max_projection_stack_depth = 32;
 inline constexpr int max_texture_stack_depth = 10;

@@ -14,10 +14,10 @@
 
 #include <glm/glm.hpp>
 
-namespace gouraud::pipeline {
+#include "pipeline/draw/limits.h"
+#include "pipeline/draw/texture_state.h"
 
-inline constexpr int max_lights = 8;
-inline constexpr int max_clip_planes = 8;
+namespace gouraud::pipeline {
 
 /// Primitive modes of Begin [GL1.5 §2.6.1].
 enum class PrimitiveMode : std::uint8_t {
@@ -107,6 +107,23 @@ struct LightingState {
   bool operator==(const LightingState&) const = default;
 };
 
+/// User clip planes [GL1.5 §2.12]: a vertex is inside where dot(plane, position_eye) >= 0.
+struct ClipPlaneState {
+  std::uint8_t count = 0;
+  std::array<glm::vec4, max_clip_planes> plane_eye{};  ///< the first `count`, enabled ones in ascending order; else 0
+  bool operator==(const ClipPlaneState&) const = default;
+};
+
+/// [GL1.5 §3.10]. If the mode is `none` all has its initial value; a mode's foreign parameters are 0.
+enum class FogMode : std::uint8_t { none, linear, exp, exp2 };
+struct FogState {
+  FogMode mode = FogMode::none;
+  bool from_coordinate = false;  ///< the vertex's fog coordinate; else the distance |z_eye| (MESA-RULES 6)
+  float density = 0.0f, start = 0.0f, end = 0.0f;
+  glm::vec3 color{0.0f};  ///< in [0, 1]
+  bool operator==(const FogState&) const = default;
+};
+
 /// Assembly and facing [GL1.5 §2.14.1, §3.5.1, §3.5.4].
 struct AssemblyState {
   ShadeModel shade_model = ShadeModel::smooth;
@@ -181,6 +198,7 @@ struct RasterState {
   BlendState blend{};
   /// `copy` without a logic operation, and on floating-point targets, where it has no meaning. Excludes blending.
   LogicOp logic_op = LogicOp::copy;
+  FogState fog{};
   bool operator==(const RasterState&) const = default;
 
   /// Whether fragments need their colour: for the target or for a test.
@@ -195,6 +213,11 @@ struct DrawState {
   ViewportState viewport{};
   LightingState lighting{};
   AssemblyState assembly{};
+  ClipPlaneState clip_planes{};
+  /// Without lighting: whether the secondary colour of the vertices is added (COLOR_SUM) [GL1.5 §3.9].
+  bool color_sum = false;
+  TextureCoordinatesState texture_coordinates{};
+  TexturingState texturing{};
   RasterState raster{};
   bool operator==(const DrawState&) const = default;
 };

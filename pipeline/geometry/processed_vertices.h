@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "pipeline/geometry/vertex_batch.h"
+#include "pipeline/raster/varyings.h"
 
 namespace gouraud::pipeline {
 
@@ -51,6 +52,9 @@ struct ProcessedVertices {
   alignas(64) std::array<Rgba, processed_stride> color_back;      ///< only with two-sided lighting
   alignas(64) std::array<Rgba, processed_stride> specular_front;  ///< only with separate specular; alpha 0
   alignas(64) std::array<Rgba, processed_stride> specular_back;
+  /// Texture coordinates behind texgen and texture matrix, fog coordinate, secondary colour: the first
+  /// VaryingLayout::count arrays are valid, in the layout's order.
+  alignas(64) ProcessedArray<max_varyings> varying;
 };
 
 /// Indices into ProcessedVertices. Flat-shaded colours come from `provoking`. Bit k of `edges` says that the edge from

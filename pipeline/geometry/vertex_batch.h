@@ -23,7 +23,12 @@ using VertexArray = std::array<std::array<float, batch_stride>, components>;
 enum VertexAttribute : std::uint32_t {
   attribute_normal = 1u << 0,
   attribute_color = 1u << 1,
+  attribute_secondary_color = 1u << 2,
+  attribute_fog_coordinate = 1u << 3,
+  attribute_edge_flag = 1u << 4,
+  attribute_texture_coordinates_0 = 1u << 8,  ///< of unit 0; unit k's is this << k
 };
+constexpr std::uint32_t attribute_texture_coordinates(int unit) { return attribute_texture_coordinates_0 << unit; }
 
 /// A stretch of one primitive: vertices [first, first + count). A Begin/End too long for one batch comes as several
 /// ranges in successive batches. `begins`/`ends` tell whether the range holds the primitive's true start and end.
@@ -50,6 +55,10 @@ struct VertexBatch {
   alignas(64) VertexArray<4> position_object;  ///< x, y, z, w
   alignas(64) VertexArray<3> normal_object;    ///< valid if attribute_normal is demanded
   alignas(64) VertexArray<4> color;            ///< current colour, unclamped; valid if attribute_color is demanded
+  alignas(64) VertexArray<3> secondary_color;  ///< unclamped; valid if demanded, as all that follow
+  alignas(64) VertexArray<1> fog_coordinate;
+  alignas(64) std::array<VertexArray<4>, max_texture_units> texture_coordinates;  ///< s, t, r, q of each unit
+  alignas(64) std::array<std::uint8_t, batch_stride> edge_flag;  ///< 1: the edge that starts here is a boundary edge
   std::vector<PrimitiveRange> primitives;      ///< in drawing order
   std::vector<MaterialRun> material_runs;      ///< ascending `first`; the DrawState's material applies before
 

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pipeline/raster/varyings.h"
+
 namespace gouraud::pipeline {
 
 struct PrimitiveRecord;
@@ -16,6 +18,7 @@ struct PrimitiveRecord;
 struct TileTarget {
   std::byte* color = nullptr;
   std::byte* depth = nullptr;
+  std::byte* stencil = nullptr;  ///< only where the depth format does not hold it
 };
 
 struct FragmentBlock {
@@ -26,13 +29,18 @@ struct FragmentBlock {
   /// R, G, B, A of each lane, times the target's color_scale; valid behind the interpolating pass, if the plan has one.
   /// Lanes that are not alive hold anything.
   alignas(64) std::array<std::array<float, 64>, 4> color;
+  /// Of each lane, covered or not, in the order of the binding's VaryingLayout; valid behind the pass that interpolates
+  /// varyings. Not initialized: a block is cheap as long as nobody asks for them.
+  alignas(64) std::array<std::array<float, 64>, max_varyings> varying;
+  /// What a smooth point, line or polygon covers of each pixel, in [0, 1]; valid if the plan applies coverage.
+  alignas(64) std::array<float, 64> pixel_coverage;
 };
 
 using FragmentPass = void (*)(FragmentBlock& block, const TileTarget& target);
 
 /// The fragment passes of a plan, in order. A block that has lost all its fragments goes no further.
 struct FragmentPasses {
-  static constexpr int max_passes = 8;
+  static constexpr int max_passes = 16;
   std::array<FragmentPass, max_passes> pass{};
   std::int32_t count = 0;
 

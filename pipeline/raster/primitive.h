@@ -9,7 +9,9 @@
 #include <cstdint>
 
 #include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/texture_state.h"
 #include "pipeline/raster/fragment_block.h"
+#include "pipeline/raster/varyings.h"
 
 namespace gouraud::pipeline {
 
@@ -17,6 +19,8 @@ namespace gouraud::pipeline {
 struct RasterBinding {
   RasterState state{};
   FragmentPasses passes{};
+  VaryingLayout varyings{};
+  const TexturingState* texturing = nullptr;  ///< interned too; null: no unit is textured
   bool operator==(const RasterBinding&) const = default;
 };
 
@@ -73,6 +77,22 @@ struct ColorRecord {
 struct alignas(64) ColoredPrimitive {
   PrimitiveRecord record;
   ColorRecord color;
+};
+
+/// Follows the ColoredPrimitive (the PrimitiveRecord, if the plan interpolates no colours) if the layout has varyings, and
+/// layout.count VaryingPlanes follow it. Varying k is
+///   plane_k (affine), base_k + plane_k / inverse_w (perspective), or base_k (its bit in `constant` is set),
+/// as in a ColorRecord. So ds/dx = (plane_k.dx - (s - base_k) * inverse_w.dx) / inverse_w.
+struct VaryingPlane {
+  double origin = 0, dx = 0, dy = 0;
+  float base = 0, minimum = 0, maximum = 0;
+};
+struct alignas(64) VaryingRecord {
+  double inverse_w_origin = 1, inverse_w_dx = 0, inverse_w_dy = 0;  ///< relative to its largest vertex value
+  float inverse_w_minimum = 1, inverse_w_maximum = 1;
+  std::uint64_t constant = 0;  ///< bit k: varying k does not vary
+  bool perspective = false;
+  bool clamp = false;  ///< snapping could take a fragment out of the vertices' range: clamp each
 };
 
 /// The colour part of a record whose plan interpolates colours.

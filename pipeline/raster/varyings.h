@@ -1,0 +1,30 @@
+// What is interpolated over a primitive besides depth and primary colour: texture coordinates, fog coordinate, secondary
+// colour. One float each, perspective-correct. This header says where each of them stands.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "pipeline/draw/limits.h"
+
+namespace gouraud::pipeline {
+
+/// Texture coordinates of one unit among the varyings: s, t, r as far as `dimensions` goes, then q if `has_q`.
+struct TextureCoordinateLayout {
+  std::int8_t first = -1;        ///< -1: the unit has none
+  std::int8_t dimensions = 0;    ///< 1 to 3
+  bool has_q = false;            ///< else q is 1 all over, and nothing is divided by it
+  bool operator==(const TextureCoordinateLayout&) const = default;
+};
+
+struct VaryingLayout {
+  std::int8_t count = 0;
+  std::int8_t secondary_color = -1;  ///< first of three, r, g, b; -1: none
+  std::int8_t fog_coordinate = -1;   ///< the fog coordinate, or the distance |z_eye|; -1: none
+  std::array<TextureCoordinateLayout, max_texture_units> texture_coordinates{};
+  bool operator==(const VaryingLayout&) const = default;
+};
+
+inline constexpr int max_varyings = 3 + 1 + 4 * max_texture_units;
+
+}  // namespace gouraud::pipeline
