@@ -61,7 +61,7 @@ TEST(AttributeStack, RestoresAGroupIfAndOnlyIfItsBitWasPushed) {
     for (int bit = 0; bit < 32; ++bit) {
       const GLbitfield mask = GLbitfield{1} << bit;
       Context context({}, nullptr);
-      ASSERT_TRUE(context.set_target_size(8, 8, pipeline::ColorFormat::rgba8));
+      ASSERT_TRUE(context.set_window_size(8, 8, pipeline::ColorFormat::rgba8));
       const GLfloat white[] = {1, 1, 1, 1};  // as the current colour, so that ColorMaterial changes no parameter
       Materialfv(context, GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, white);
       const State before = context.state;

@@ -36,7 +36,7 @@ struct Positions : pipeline::DrawObserver {
 class BufferObjects : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_TRUE(c.set_target_size(8, 8, pipeline::ColorFormat::rgba8));
+    ASSERT_TRUE(c.set_window_size(8, 8, pipeline::ColorFormat::rgba8));
     c.renderer().set_observer(&positions);
   }
   void TearDown() override { EXPECT_EQ(c.take_error(), no_error); }

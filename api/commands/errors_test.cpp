@@ -118,7 +118,7 @@ const BadCall bad_calls[] = {
 
 TEST(BadArguments, GiveTheErrorAndChangeNothing) {
   Context context({}, nullptr);
-  ASSERT_TRUE(context.set_target_size(8, 8, pipeline::ColorFormat::rgba8));
+  ASSERT_TRUE(context.set_window_size(8, 8, pipeline::ColorFormat::rgba8));
   for (const BadCall& bad : bad_calls) {
     const State before = context.state;
     bad.call(context);
@@ -152,7 +152,7 @@ TEST(AnyFloat, IsTakenWithoutHarm) {
   const std::vector<float> values = {nan_value, infinity, -infinity, 1e38f, -1e38f, 1e-45f, 0.0f};
   for (const float v : values) {
     Context c({}, nullptr);
-    ASSERT_TRUE(c.set_target_size(32, 32, pipeline::ColorFormat::rgba8));
+    ASSERT_TRUE(c.set_window_size(32, 32, pipeline::ColorFormat::rgba8));
     Enable(c, GL_LIGHTING);
     Enable(c, GL_LIGHT0);
     Enable(c, GL_RESCALE_NORMAL);

@@ -90,7 +90,7 @@ TEST(Queries, AnswerCapabilitiesToo) {
 TEST(Queries, DescribeTheTarget) {
   Context c({16, 0, 0}, nullptr);
   EXPECT_EQ(integer(c, GL_RED_BITS), 0);
-  ASSERT_TRUE(c.set_target_size(8, 8, pipeline::ColorFormat::rgba16));
+  ASSERT_TRUE(c.set_window_size(8, 8, pipeline::ColorFormat::rgba16));
   EXPECT_EQ(integer(c, GL_ALPHA_BITS), 16);
   EXPECT_EQ(integer(c, GL_DEPTH_BITS), 16);
   EXPECT_EQ(integer(c, GL_STENCIL_BITS), 0);

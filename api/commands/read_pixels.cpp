@@ -321,8 +321,8 @@ void read_stencil(const Framebuffer& target, const Transfer& transfer) {
 
 void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                 void* pixels) {
-  if (context.target() == nullptr) return;
-  const Framebuffer& target = *context.target();
+  if (context.read_target() == nullptr) return;
+  const Framebuffer& target = *context.read_target();
   if (const auto refused = refusal(target, width, height, format, type)) {
     return context.record_error(refused->error, "glReadPixels", refused->message);
   }

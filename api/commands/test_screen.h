@@ -16,7 +16,7 @@ inline constexpr int side_px = 32;
 /// A context that is current while it lives, and its picture.
 struct Screen {
   explicit Screen(Context* share_with = nullptr) : context({}, share_with) {
-    EXPECT_TRUE(context.set_target_size(side_px, side_px, pipeline::ColorFormat::rgba8));
+    EXPECT_TRUE(context.set_window_size(side_px, side_px, pipeline::ColorFormat::rgba8));
     make_current(&context);
   }
   std::vector<std::uint32_t> pixels() {

@@ -152,7 +152,7 @@ class VertexArrays : public ::testing::Test {
   static constexpr int elements = 40;
 
   void SetUp() override {
-    ASSERT_TRUE(context.set_target_size(16, 16, pipeline::ColorFormat::rgba8));
+    ASSERT_TRUE(context.set_window_size(16, 16, pipeline::ColorFormat::rgba8));
     make_current(&context);
     context.renderer().set_observer(&recorder);
     glEnable(GL_LIGHTING);  // so that normals and colours are demanded

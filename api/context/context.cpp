@@ -98,10 +98,10 @@ GLenum Context::take_error() {
   return std::exchange(error_, static_cast<GLenum>(GL_NO_ERROR));
 }
 
-bool Context::set_target_size(int width_px, int height_px, pipeline::ColorFormat color_format) {
+bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat color_format) {
   if (width_px < 1 || width_px > max_target_size_px || height_px < 1 || height_px > max_target_size_px) return false;
-  if (target_ != nullptr && target_->width_px == width_px && target_->height_px == height_px &&
-      target_->color_format == color_format) {
+  if (window_ != nullptr && window_->width_px == width_px && window_->height_px == height_px &&
+      window_->color_format == color_format) {
     return true;
   }
   flush_vertices();
@@ -109,24 +109,24 @@ bool Context::set_target_size(int width_px, int height_px, pipeline::ColorFormat
     auto fresh = std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, depth_format(config_),
                                                          config_.stencil_bits > 0 ? 8 : 0);
     renderer_.set_target(fresh.get());
-    target_ = std::move(fresh);
+    window_ = std::move(fresh);
   } catch (const std::bad_alloc&) {
-    renderer_.set_target(target_.get());
+    renderer_.set_target(window_.get());
     return false;
   }
-  if (!had_target_) {
+  if (!had_window_) {
     state.viewport.width_px = state.scissor.width_px = width_px;
     state.viewport.height_px = state.scissor.height_px = height_px;
-    had_target_ = true;
+    had_window_ = true;
   }
   change(dirty_all);
   return true;
 }
 
 TargetInfo Context::target_info() const {
-  if (target_ == nullptr) return {};
-  const std::uint32_t stencil_mask = target_->stencil_bits > 0 ? (1u << target_->stencil_bits) - 1u : 0u;
-  return {target_->width_px, target_->height_px, {target_->color_format, target_->depth_format}, stencil_mask};
+  if (window_ == nullptr) return {};
+  const std::uint32_t stencil_mask = window_->stencil_bits > 0 ? (1u << window_->stencil_bits) - 1u : 0u;
+  return {window_->width_px, window_->height_px, {window_->color_format, window_->depth_format}, stencil_mask};
 }
 
 void Context::finish_rendering() {

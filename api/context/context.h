@@ -67,12 +67,16 @@ class Context {
   /// The error kept, GL_NO_ERROR if none; none is kept afterwards.
   GLenum take_error();
 
-  /// Draws from now on into a target of this size and colour format, with depth and stencil as configured: a new one,
-  /// all zero, unless size and format are those of the old. The first one also sets viewport and scissor box.
+  /// The window system's framebuffer has this size and colour format from now on, with depth and stencil as configured:
+  /// a new one, all zero, unless size and format are those of the old. The first one also sets viewport and scissor box.
   /// False, and nothing is changed, if a side is outside 1..max_target_size_px or memory is short.
-  bool set_target_size(int width_px, int height_px, pipeline::ColorFormat color_format);
-  /// The target or null. Its pixels are complete only after finish_rendering().
-  pipeline::Framebuffer* target() { return target_.get(); }
+  bool set_window_size(int width_px, int height_px, pipeline::ColorFormat color_format);
+  /// The window system's framebuffer or null. Pixels of this and of the next two are complete only after
+  /// finish_rendering().
+  pipeline::Framebuffer* window() { return window_.get(); }
+  /// What is drawn into, and what is read from: null if it does not exist.
+  pipeline::Framebuffer* target() { return window_.get(); }
+  pipeline::Framebuffer* read_target() { return window_.get(); }
   const ContextConfig& config() const { return config_; }
 
   /// The parts in `bits` (DirtyBits) of the state have changed. Pending vertices are not touched: they are drawn with
@@ -124,14 +128,14 @@ class Context {
 
   bool intercepting_ = false;
   bool tracing_calls_ = false, tracing_errors_ = false, tracing_plans_ = false, aborting_on_error_ = false;
-  bool had_target_ = false;
+  bool had_window_ = false;
   std::uint32_t dirty_ = dirty_all;
   GLenum error_ = GL_NO_ERROR;
   ContextConfig config_;
   std::shared_ptr<BufferNames> buffer_names_;
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
-  std::unique_ptr<pipeline::Framebuffer> target_;
+  std::unique_ptr<pipeline::Framebuffer> window_;
   pipeline::Renderer renderer_;
 };
 

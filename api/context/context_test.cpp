@@ -63,13 +63,13 @@ TEST(CurrentContext, IsNoneAfterItsDestruction) {
 TEST(Target, OnlyTheFirstOneSetsViewportAndScissorBox) {
   Context context({}, nullptr);
   EXPECT_EQ(context.target(), nullptr);
-  ASSERT_TRUE(context.set_target_size(30, 20, rgba8));
+  ASSERT_TRUE(context.set_window_size(30, 20, rgba8));
   EXPECT_EQ(context.state.viewport.width_px, 30);
   EXPECT_EQ(context.state.scissor.height_px, 20);
   const pipeline::Framebuffer* const first = context.target();
-  ASSERT_TRUE(context.set_target_size(30, 20, rgba8));
+  ASSERT_TRUE(context.set_window_size(30, 20, rgba8));
   EXPECT_EQ(context.target(), first);
-  ASSERT_TRUE(context.set_target_size(50, 60, rgba8));
+  ASSERT_TRUE(context.set_window_size(50, 60, rgba8));
   EXPECT_EQ(context.target()->width_px, 50);
   EXPECT_EQ(context.state.viewport.width_px, 30);
   EXPECT_EQ(context.state.scissor.height_px, 20);
@@ -77,10 +77,10 @@ TEST(Target, OnlyTheFirstOneSetsViewportAndScissorBox) {
 
 TEST(Target, OfAnImpossibleSizeIsRefusedAndTheOldOneKept) {
   Context context({}, nullptr);
-  ASSERT_TRUE(context.set_target_size(8, 8, rgba8));
+  ASSERT_TRUE(context.set_window_size(8, 8, rgba8));
   for (const int size : {0, -1, max_target_size_px + 1}) {
-    EXPECT_FALSE(context.set_target_size(size, 8, rgba8));
-    EXPECT_FALSE(context.set_target_size(8, size, rgba8));
+    EXPECT_FALSE(context.set_window_size(size, 8, rgba8));
+    EXPECT_FALSE(context.set_window_size(8, size, rgba8));
   }
   EXPECT_EQ(context.target()->width_px, 8);
 }
@@ -105,7 +105,7 @@ TEST(DrawObserver, NeedsACurrentContextAndLearnsOfTheTargetAtOnce) {
   CountingObserver observer;
   EXPECT_FALSE(set_draw_observer(&observer));
   Context context({}, nullptr);
-  ASSERT_TRUE(context.set_target_size(8, 8, rgba8));
+  ASSERT_TRUE(context.set_window_size(8, 8, rgba8));
   make_current(&context);
   EXPECT_TRUE(set_draw_observer(&observer));
   EXPECT_EQ(observer.targets, 1);

@@ -111,7 +111,7 @@ void Context::flush_vertices() {
 void Context::begin_primitive(PrimitiveMode mode) {
   refresh();
   VertexBatch& batch = immediate.batch;
-  if (plan_.draws && target_ != nullptr) {
+  if (plan_.draws && target() != nullptr) {
     if (batch.count > pipeline::batch_capacity - least_room) draw_pending();
     batch.primitives.push_back({mode, true, true, batch.count, 0});
     immediate.limit = limit_of(mode, batch.count);

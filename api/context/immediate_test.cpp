@@ -63,7 +63,7 @@ struct Recorder : pipeline::DrawObserver {
 class ImmediateMode : public testing::Test {
  protected:
   ImmediateMode() : context_({}, nullptr) {
-    EXPECT_TRUE(context_.set_target_size(16, 16, pipeline::ColorFormat::rgba8));
+    EXPECT_TRUE(context_.set_window_size(16, 16, pipeline::ColorFormat::rgba8));
     context_.renderer().set_observer(&recorder_);
   }
   void vertices(int count) {
@@ -216,7 +216,7 @@ TEST_F(ImmediateMode, WithoutATargetDrawsNothing) {
 TEST_F(ImmediateMode, ANewTargetEndsAnOpenPrimitive) {
   Begin(context_, GL_POINTS);
   vertices(2);
-  ASSERT_TRUE(context_.set_target_size(4, 4, pipeline::ColorFormat::rgba8));
+  ASSERT_TRUE(context_.set_window_size(4, 4, pipeline::ColorFormat::rgba8));
   EXPECT_FALSE(context_.inside_begin_end());
   EXPECT_EQ(recorder_.draws.size(), 1u);
   vertices(1);

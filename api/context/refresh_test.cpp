@@ -100,7 +100,7 @@ TEST(Refresh, GivesWhatASnapshotTakenAnewGives) {
   for (int round = 0; round < 20000; ++round) {
     if (round % 500 == 0) {
       const int size = 8 + round / 500;
-      ASSERT_TRUE(context.set_target_size(size, size, pipeline::ColorFormat::rgba8));
+      ASSERT_TRUE(context.set_window_size(size, size, pipeline::ColorFormat::rgba8));
     }
     for (int i = commands.integer(4); i >= 0; --i) commands.run_one();
     Begin(context, GL_POINTS);

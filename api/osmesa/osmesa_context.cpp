@@ -87,7 +87,7 @@ bool osmesa_context::bind_buffer(void* pixels, GLenum type, GLsizei width_px, GL
   const auto layout = gouraud::api::packed_layout(format_, type);
   if (pixels == nullptr || !layout) return false;
   const bool same_picture = type == type_ && width_px == width_px_ && height_px == height_px_;
-  if (!gl.set_target_size(width_px, height_px, stored_format(*layout))) return false;
+  if (!gl.set_window_size(width_px, height_px, stored_format(*layout))) return false;
   if (!same_picture) gl.renderer().take_dirty();  // what was drawn into the old picture is gone
   pixels_ = pixels;
   type_ = type;
@@ -102,7 +102,7 @@ void osmesa_context::copy_out() {
   const int row_px = row_length_px > 0 ? row_length_px : width_px_;
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(row_px) * bytes_per_pixel(layout_);
   auto* const first_row = static_cast<std::byte*>(pixels_) + (y_up ? 0 : (height_px_ - 1) * stride);
-  pack_color_rows(*gl.target(), layout_, 0, 0, width_px_, height_px_, first_row, y_up ? stride : -stride);
+  pack_color_rows(*gl.window(), layout_, 0, 0, width_px_, height_px_, first_row, y_up ? stride : -stride);
   if (snapshot_fits()) refresh_snapshot();
 }
 
@@ -111,7 +111,7 @@ bool osmesa_context::snapshot_fits() const {
 }
 
 void osmesa_context::refresh_snapshot() {
-  const Framebuffer& target = *gl.target();
+  const Framebuffer& target = *gl.window();
   read_depth_rows(target, 0, 0, snapshot_.width_px, snapshot_.height_px, snapshot_.values.data(),
                   static_cast<std::ptrdiff_t>(snapshot_.width_px) * snapshot_.bytes_per_value);
   if (target.depth_format == DepthFormat::z32f) gouraud::api::fixed_point_of_floats(snapshot_.values);
@@ -119,9 +119,9 @@ void osmesa_context::refresh_snapshot() {
 
 // A snapshot of another size stays where it is until the program asks again: it may still look at the old one.
 osmesa_context::DepthSnapshot* osmesa_context::depth_snapshot() {
-  if (gl.target() == nullptr || gl.target()->depth_format == DepthFormat::none) return nullptr;
+  if (gl.window() == nullptr || gl.window()->depth_format == DepthFormat::none) return nullptr;
   if (!snapshot_fits()) {
-    const int bytes = gouraud::pipeline::bytes_per_pixel(gl.target()->depth_format);
+    const int bytes = gouraud::pipeline::bytes_per_pixel(gl.window()->depth_format);
     std::vector<std::byte> values(static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_) *
                                   static_cast<std::size_t>(bytes));
     snapshot_ = {std::move(values), width_px_, height_px_, bytes};

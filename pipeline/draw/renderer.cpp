@@ -237,7 +237,10 @@ void Renderer::clear(const ClearState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->clear(state);
   implementation_->dirty = true;
-  if (state.stencil && (state.clear_stencil & state.stencil_write_mask) != 0) target()->stencil_in_use = true;
+  const bool stencil_in_depth = target()->stencil_bits > 0 && target()->depth_format == DepthFormat::z24s8;
+  if (state.stencil && stencil_in_depth && (state.clear_stencil & state.stencil_write_mask) != 0) {
+    target()->depth.use_stencil();
+  }
   implementation_->bins.add_clear(state);
   if (implementation_->bins.full()) implementation_->bins.run();
 }

@@ -86,9 +86,9 @@ TileBins::TileBins(int thread_count)
       workers_(thread_count) {}
 
 void TileBins::set_target(Framebuffer* target) {
+  const auto tiles = target != nullptr ? static_cast<std::size_t>(target->tile_count()) : 0;
+  if (bins_.size() < tiles) bins_.resize(tiles);
   target_ = target;
-  bins_.clear();
-  if (target_ != nullptr) bins_.resize(static_cast<std::size_t>(target_->tile_count()));
 }
 
 const SetupState* TileBins::intern(SetupState setup, const RasterBinding& binding) {
@@ -199,9 +199,10 @@ std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t
 
 void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
-  const TileTarget pixels{target_->color.empty() ? nullptr : target_->color.tile(tile),
-                          target_->depth.empty() ? nullptr : target_->depth.tile(tile)};
-  const std::int32_t x = tile % target_->tiles_x * tile_size, y = tile / target_->tiles_x * tile_size;
+  const std::int32_t tile_x = tile % target_->tiles_x, tile_y = tile / target_->tiles_x;
+  const TileTarget pixels{target_->color.empty() ? nullptr : target_->color.tile(tile_x, tile_y),
+                          target_->depth.empty() ? nullptr : target_->depth.tile(tile_x, tile_y)};
+  const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
   const auto look_ahead = [&](std::size_t i) {
     if (i + prefetch_distance < bin.size()) prefetch(bin[i + prefetch_distance]);
     if (i + prefetch_depth_distance >= bin.size() || pixels.depth == nullptr) return;

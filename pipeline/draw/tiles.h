@@ -44,7 +44,7 @@ class TileBins {
  public:
   explicit TileBins(int thread_count);
 
-  /// What is pending must have been run.
+  /// What is pending must have been run. Cheap: bins keep their memory for the next target.
   void set_target(Framebuffer* target);
   Framebuffer* target() const { return target_; }
 
@@ -90,7 +90,7 @@ class TileBins {
   std::deque<RasterBinding> bindings_;
   std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
-  std::vector<std::vector<Entry>> bins_;
+  std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of the target
   std::vector<std::int32_t> touched_;  ///< tiles with entries
   std::size_t entry_count_ = 0;
   std::vector<BlockMask> block_list_;  ///< of the pixels being added

@@ -58,7 +58,7 @@ void fill_channels(std::byte* tile, const PixelRect& cut, const std::array<Chann
   });
 }
 
-void clear_color(const Framebuffer& target, std::int32_t tile, const PixelRect& cut, const ClearState& state) {
+void clear_color(const Framebuffer& target, std::byte* tile, const PixelRect& cut, const ClearState& state) {
   const auto unorm = [&](int channel, float scale) {
     return static_cast<std::uint32_t>(std::nearbyint(std::clamp(state.clear_color[channel], 0.0f, 1.0f) * scale));
   };
@@ -69,38 +69,38 @@ void clear_color(const Framebuffer& target, std::int32_t tile, const PixelRect& 
         value |= unorm(k, 255.0f) << (8 * k);
         if ((state.color_write_mask >> k & 1) != 0) mask |= 0xFFu << (8 * k);
       }
-      return fill(target.color.tile(tile), cut, value, mask);
+      return fill(tile, cut, value, mask);
     }
     case ColorFormat::rgba16: {
       std::array<std::uint16_t, 4> value;
       for (int k = 0; k < 4; ++k) value[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(unorm(k, 65535.0f));
-      return fill_channels(target.color.tile(tile), cut, value, state.color_write_mask);
+      return fill_channels(tile, cut, value, state.color_write_mask);
     }
     case ColorFormat::rgba32f: {
       const std::array<float, 4> value{state.clear_color[0], state.clear_color[1], state.clear_color[2], state.clear_color[3]};
-      return fill_channels(target.color.tile(tile), cut, value, state.color_write_mask);
+      return fill_channels(tile, cut, value, state.color_write_mask);
     }
     case ColorFormat::none: return;
   }
 }
 
-void clear_depth_stencil(const Framebuffer& target, std::int32_t tile, const PixelRect& cut, const ClearState& state) {
+void clear_depth_stencil(const Framebuffer& target, std::byte* tile, const PixelRect& cut, const ClearState& state) {
   const double depth = std::clamp(state.clear_depth, 0.0, 1.0);
   switch (target.depth_format) {
     case DepthFormat::z24s8: {
       const std::uint32_t value = static_cast<std::uint32_t>(std::nearbyint(depth * 0xFFFFFF)) | state.clear_stencil << 24;
       const std::uint32_t mask = (state.depth ? 0xFFFFFFu : 0u) | (state.stencil ? state.stencil_write_mask << 24 : 0u);
       // Where all stencil values are zero, whole words are right as well, and no old word needs to be read.
-      const bool whole = state.depth && !target.stencil_in_use;
-      return fill(target.depth.tile(tile), cut, whole ? value & 0xFFFFFFu : value, whole ? ~0u : mask);
+      const bool whole = state.depth && !target.depth.stencil_in_use();
+      return fill(tile, cut, whole ? value & 0xFFFFFFu : value, whole ? ~0u : mask);
     }
     case DepthFormat::z16:
       if (state.depth) {
-        fill(target.depth.tile(tile), cut, static_cast<std::uint16_t>(std::nearbyint(depth * 0xFFFF)), std::uint16_t{0xFFFF});
+        fill(tile, cut, static_cast<std::uint16_t>(std::nearbyint(depth * 0xFFFF)), std::uint16_t{0xFFFF});
       }
       break;
     case DepthFormat::z32f:
-      if (state.depth) fill(target.depth.tile(tile), cut, std::bit_cast<std::uint32_t>(static_cast<float>(depth)), ~0u);
+      if (state.depth) fill(tile, cut, std::bit_cast<std::uint32_t>(static_cast<float>(depth)), ~0u);
       break;
     case DepthFormat::none: break;
   }
@@ -109,17 +109,23 @@ void clear_depth_stencil(const Framebuffer& target, std::int32_t tile, const Pix
 }  // namespace
 
 void clear_tile(const Framebuffer& target, std::int32_t tile, const ClearState& state) {
-  const std::int32_t x = tile % target.tiles_x * tile_size, y = tile / target.tiles_x * tile_size;
-  // A scissor box that reaches the target's edge may as well clear the padding beyond it.
-  const std::int32_t x1 = state.scissor.x1 >= target.width_px ? tile_size : state.scissor.x1 - x;
-  const std::int32_t y1 = state.scissor.y1 >= target.height_px ? tile_size : state.scissor.y1 - y;
-  const PixelRect cut{std::max(state.scissor.x0 - x, 0), std::max(state.scissor.y0 - y, 0), std::min(x1, tile_size),
-                      std::min(y1, tile_size)};
-  if (cut.empty()) return;
-  if (state.color && state.color_write_mask != 0) clear_color(target, tile, cut, state);
-  if (state.depth || state.stencil) clear_depth_stencil(target, tile, cut, state);
+  const std::int32_t tile_x = tile % target.tiles_x, tile_y = tile / target.tiles_x;
+  const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
+  const PixelRect& box = state.scissor;
+  // A scissor box that reaches a plane's edge may as well clear the padding beyond it.
+  const auto cut = [&](const TiledBuffer& plane) -> PixelRect {
+    const std::int32_t x1 = box.x1 >= plane.width_px() ? tile_size : box.x1 - x;
+    const std::int32_t y1 = box.y1 >= plane.height_px() ? tile_size : box.y1 - y;
+    return {std::max(box.x0 - x, 0), std::max(box.y0 - y, 0), std::min(x1, tile_size), std::min(y1, tile_size)};
+  };
+  if (state.color && state.color_write_mask != 0 && !target.color.empty()) {
+    clear_color(target, target.color.tile(tile_x, tile_y), cut(target.color), state);
+  }
+  if ((state.depth || state.stencil) && !target.depth.empty()) {
+    clear_depth_stencil(target, target.depth.tile(tile_x, tile_y), cut(target.depth), state);
+  }
   if (state.stencil && !target.stencil.empty()) {
-    fill(target.stencil.tile(tile), cut, static_cast<std::uint8_t>(state.clear_stencil),
+    fill(target.stencil.tile(tile_x, tile_y), cut(target.stencil), static_cast<std::uint8_t>(state.clear_stencil),
          static_cast<std::uint8_t>(state.stencil_write_mask));
   }
 }

@@ -9,7 +9,7 @@ namespace gouraud::pipeline {
 
 /// Sets the chosen buffers of the tile, inside the scissor and under the masks. Colour converts as fragments do;
 /// depth is round(clear_depth * (2^bits - 1)) in double. A clear that leaves a stencil value other than zero needs
-/// target.stencil_in_use set before.
+/// use_stencil() of the plane that holds it before.
 void clear_tile(const Framebuffer& target, std::int32_t tile_index, const ClearState& state);
 
 }  // namespace gouraud::pipeline

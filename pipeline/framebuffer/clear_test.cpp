@@ -10,7 +10,7 @@ namespace gouraud::pipeline {
 namespace {
 
 void clear_all(Framebuffer& target, const ClearState& state) {
-  target.stencil_in_use |= state.stencil && state.clear_stencil != 0;
+  if (state.stencil && state.clear_stencil != 0) target.depth.use_stencil();
   for (int tile = 0; tile < target.tile_count(); ++tile) clear_tile(target, tile, state);
 }
 

@@ -17,25 +17,28 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 
 }  // namespace
 
-void TiledBuffer::Free::operator()(std::byte* data) const { std::free(reinterpret_cast<void**>(data)[-1]); }
-
-// calloc gives large blocks as fresh pages that cost nothing until they are touched; the storage is aligned inside.
+// calloc gives large blocks as fresh pages that cost nothing until they are touched; the pixels are aligned inside.
 // A large buffer asks for large pages: the first frame touches all of it, and page faults are most of that frame.
-TiledBuffer::TiledBuffer(int width_px, int height_px, int bytes)
-    : tiles_per_row_(tiles_across(width_px)), bytes_per_pixel_(bytes) {
-  const std::size_t size = static_cast<std::size_t>(tiles_per_row_) * static_cast<std::size_t>(tiles_across(height_px)) *
+TiledBuffer::Storage::Storage(std::size_t bytes) {
+  const std::size_t alignment = bytes >= large_page ? large_page : small_alignment;
+  block = std::calloc(1, bytes + alignment);
+  if (block == nullptr) throw std::bad_alloc();
+  const auto address = reinterpret_cast<std::uintptr_t>(block);
+  pixels = reinterpret_cast<std::byte*>((address + alignment - 1) / alignment * alignment);
+#if defined(__linux__)
+  if (bytes >= large_page) ::madvise(pixels, bytes, MADV_HUGEPAGE);
+#endif
+}
+
+TiledBuffer::Storage::~Storage() { std::free(block); }
+
+TiledBuffer::TiledBuffer(int width, int height, int bytes)
+    : width_px_(width), height_px_(height), tiles_per_row_(tiles_across(width)), bytes_per_pixel_(bytes) {
+  const std::size_t size = static_cast<std::size_t>(tiles_per_row_) * static_cast<std::size_t>(tiles_across(height)) *
                            pixels_per_tile * static_cast<std::size_t>(bytes);
   if (size == 0) return;
-  const std::size_t alignment = size >= large_page ? large_page : small_alignment;
-  void* block = std::calloc(1, size + alignment + sizeof(void*));
-  if (block == nullptr) throw std::bad_alloc();
-  const auto address = reinterpret_cast<std::uintptr_t>(block) + sizeof(void*);
-  const auto aligned = (address + alignment - 1) / alignment * alignment;
-  reinterpret_cast<void**>(aligned)[-1] = block;
-  data_.reset(reinterpret_cast<std::byte*>(aligned));
-#if defined(__linux__)
-  if (size >= large_page) ::madvise(data_.get(), size, MADV_HUGEPAGE);
-#endif
+  storage_ = std::make_shared<Storage>(size);
+  pixels_ = storage_->pixels;
 }
 
 Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthFormat depth_layout, int stencil_depth)

@@ -44,34 +44,54 @@ constexpr int bytes_per_pixel(DepthFormat format) {
   return 0;
 }
 
-/// One tiled plane of pixels, zero at first.
+/// One tiled plane of pixels, zero at first. A handle: copies share the pixels. So a renderbuffer or a level of a
+/// texture is the same plane in every framebuffer that it is attached to, and lives as long as one of them needs it.
 class TiledBuffer {
  public:
   TiledBuffer() = default;
   /// Allocates zeroed storage for width x height pixels of `bytes_per_pixel` bytes; throws std::bad_alloc.
   TiledBuffer(int width_px, int height_px, int bytes_per_pixel);
 
-  std::byte* tile(int tile_index) const {
-    return data_.get() + static_cast<std::size_t>(tile_index) * pixels_per_tile * static_cast<std::size_t>(bytes_per_pixel_);
+  /// The tile at this place of the buffer's own grid of tiles.
+  std::byte* tile(int tile_x, int tile_y) const {
+    const auto index = static_cast<std::size_t>(tile_y) * static_cast<std::size_t>(tiles_per_row_) + static_cast<std::size_t>(tile_x);
+    return pixels_ + index * pixels_per_tile * static_cast<std::size_t>(bytes_per_pixel_);
   }
   std::byte* pixel(int x, int y) const {
-    const int tile_index = (y / tile_size) * tiles_per_row_ + x / tile_size;
     const int block = (y % tile_size / block_size) * blocks_per_tile_row + x % tile_size / block_size;
     const int lane = (y % block_size) * block_size + x % block_size;
-    return tile(tile_index) + static_cast<std::size_t>((block * pixels_per_block + lane) * bytes_per_pixel_);
+    return tile(x / tile_size, y / tile_size) + static_cast<std::size_t>((block * pixels_per_block + lane) * bytes_per_pixel_);
   }
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
   int bytes_per_pixel() const { return bytes_per_pixel_; }
-  bool empty() const { return data_ == nullptr; }
+  bool empty() const { return pixels_ == nullptr; }
+
+  /// False as long as every stencil value in the plane is zero: then a clear of depth alone may write whole words.
+  /// Shared like the pixels. Not for an empty buffer.
+  bool stencil_in_use() const { return storage_->stencil_in_use; }
+  void use_stencil() const { storage_->stencil_in_use = true; }
 
  private:
-  struct Free {
-    void operator()(std::byte* data) const;
+  struct Storage {
+    explicit Storage(std::size_t bytes);
+    ~Storage();
+    Storage(const Storage&) = delete;
+    Storage& operator=(const Storage&) = delete;
+
+    void* block = nullptr;
+    std::byte* pixels = nullptr;  ///< in the block, aligned
+    bool stencil_in_use = false;
   };
-  std::unique_ptr<std::byte[], Free> data_;
+  std::shared_ptr<Storage> storage_;
+  std::byte* pixels_ = nullptr;
+  int width_px_ = 0, height_px_ = 0;
   int tiles_per_row_ = 0;
   int bytes_per_pixel_ = 0;
 };
 
+/// What is drawn into: a view of planes, which may be larger than it is and belong to other framebuffers as well. Pixel
+/// (0, 0) is that of each plane. Copies are other views of the same planes.
 struct Framebuffer {
   Framebuffer() = default;
   /// A zeroed target of 1..16384 pixels a side; throws std::bad_alloc. `stencil_bits` is 0 or 8.
@@ -82,8 +102,6 @@ struct Framebuffer {
   ColorFormat color_format = ColorFormat::none;
   DepthFormat depth_format = DepthFormat::none;
   int stencil_bits = 0;
-  /// False as long as every stencil value is zero: then a clear of depth alone may write whole words.
-  bool stencil_in_use = false;
   TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
 
   int tile_count() const { return tiles_x * tiles_y; }
