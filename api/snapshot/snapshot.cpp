@@ -125,6 +125,16 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   }
 }
 
+pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target) {
+  pipeline::DrawState result;
+  result.report = {.enabled = true, .colors = true, .eye_positions = true};
+  update_lighting(state.lighting, true, pipeline::CullMode::back, result.lighting);  // front colours are enough
+  result.lighting.material = canonical_material(state.lighting, result.lighting);
+  result.transform = transform_state(state, normals_matter(result.lighting));
+  result.viewport = viewport_state(state, target, true);
+  return result;
+}
+
 pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask) {
   pipeline::ClearState result;
   result.scissor = writable_rect(state.scissor, target);

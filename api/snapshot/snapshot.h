@@ -33,6 +33,9 @@ struct TargetInfo {
 void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
                        pipeline::DrawState& draw_state);
 
+/// The state under which a raster position is a vertex of which everything is wanted [GL1.5 §2.13]; materials included.
+pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target);
+
 /// What glClear of the buffers in `mask` does under this state [GL1.5 §4.2.3].
 pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask);
 

@@ -208,6 +208,15 @@ struct RasterState {
 };
 static_assert(std::is_trivially_copyable_v<RasterState> && sizeof(RasterState) <= 512);
 
+/// Vertices that are reported to the application instead of rasterized: feedback, selection and the raster position
+/// [GL1.5 §2.13, §5.2, §5.3]. What reaches the framebuffer does not matter then: nothing does.
+struct ReportState {
+  bool enabled = false;
+  bool colors = false;         ///< primary and secondary colour are wanted
+  bool eye_positions = false;  ///< the distance from the eye is wanted
+  bool operator==(const ReportState&) const = default;
+};
+
 struct DrawState {
   TransformState transform{};
   ViewportState viewport{};
@@ -219,6 +228,7 @@ struct DrawState {
   TextureCoordinatesState texture_coordinates{};
   TexturingState texturing{};
   RasterState raster{};
+  ReportState report{};
   bool operator==(const DrawState&) const = default;
 };
 static_assert(std::is_trivially_copyable_v<DrawState>);

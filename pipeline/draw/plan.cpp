@@ -68,10 +68,28 @@ std::string describe_blending(const BlendState& blend) {
   return "color " + describe_terms(blend.rgb) + ", alpha " + describe_terms(blend.alpha);
 }
 
+/// Which vertex stages, and which attributes, does that take?
+void plan_vertices(const DrawState& state, Plan& plan) {
+  plan.lighting = plan.colors && state.lighting.enabled;
+  plan.vertex_colors = plan.colors && !state.lighting.enabled;
+  plan.normals = plan.lighting && state.lighting.light_count > 0;
+  plan.eye_positions = state.report.eye_positions ||
+                       (plan.lighting && (any_positional(state.lighting) || (plan.normals && state.lighting.local_viewer)));
+  if (plan.normals) plan.vertex_demand |= attribute_normal;
+  const bool color_material = (state.lighting.color_material_front | state.lighting.color_material_back) != material_none;
+  if (plan.vertex_colors || (plan.lighting && color_material)) plan.vertex_demand |= attribute_color;
+}
+
 }  // namespace
 
 Plan make_plan(const DrawState& state, TargetFormat target) {
   Plan plan;
+  if (state.report.enabled) {
+    plan.draws = plan.reports = true;
+    plan.colors = state.report.colors;
+    plan_vertices(state, plan);
+    return plan;
+  }
 
   // What can reach the framebuffer?
   const bool tests_depth = state.raster.depth.test_enabled && target.depth != DepthFormat::none;
@@ -98,14 +116,7 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
                                                      : color_write_pass(target.color, state.raster.color_write_mask));
   }
 
-  // Which vertex stages, and which attributes?
-  plan.lighting = plan.colors && state.lighting.enabled;
-  plan.vertex_colors = plan.colors && !state.lighting.enabled;
-  plan.normals = plan.lighting && state.lighting.light_count > 0;
-  plan.eye_positions = plan.lighting && (any_positional(state.lighting) || (plan.normals && state.lighting.local_viewer));
-  if (plan.normals) plan.vertex_demand |= attribute_normal;
-  const bool color_material = (state.lighting.color_material_front | state.lighting.color_material_back) != material_none;
-  if (plan.vertex_colors || (plan.lighting && color_material)) plan.vertex_demand |= attribute_color;
+  plan_vertices(state, plan);
   return plan;
 }
 
@@ -126,6 +137,10 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   if (plan.lighting) line("light", describe_lights(state.lighting), "§2.14.1");
   if (plan.vertex_colors) line("clamp vertex colors", "", "§2.14.6");
   line("clip and project", "", "§2.12, §2.11.1");
+  if (plan.reports) {
+    line("report", "", "§5.2, §5.3");
+    return text;
+  }
   if (state.assembly.cull != CullMode::none) line("cull", "", "§3.5.1");
   line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");

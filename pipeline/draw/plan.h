@@ -23,6 +23,8 @@ struct Plan {
   /// False if no fragment of this draw can change the target (all writes masked, everything culled, empty scissor):
   /// vertices need not even be kept.
   bool draws = false;
+  /// Primitives are reported instead of rasterized: no fragment passes.
+  bool reports = false;
   /// VertexAttribute bits that the batch must hold besides positions.
   std::uint32_t vertex_demand = 0;
 

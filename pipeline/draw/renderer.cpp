@@ -2,6 +2,7 @@
 #include "pipeline/draw/renderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <thread>
 #include <utility>
@@ -231,6 +232,25 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
     for (const AssembledPoint& point : self.assembled.points) self.draw_point(point);
   }
   if (self.bins.full()) self.bins.run();
+}
+
+ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
+  Implementation& self = *implementation_;
+  self.run_vertex_stages(state, plan, batch);
+  ProcessedVertex result;
+  result.inside = self.vertices.outcode[0] == 0;
+  if (!result.inside) return result;
+  const auto vector = [](const Rgba& color) { return glm::vec4(color.r, color.g, color.b, color.a); };
+  const auto& eye = self.vertices.position_eye;
+  result.position_window = window_position(state.viewport, self.vertices, 0);
+  result.w_clip = self.vertices.position_clip[3][0];
+  if (plan.eye_positions) {
+    const double x = eye[0][0], y = eye[1][0], z = eye[2][0];
+    result.eye_distance = static_cast<float>(std::sqrt((x * x + y * y) + z * z));
+  }
+  if (plan.colors) result.color = vector(self.vertices.color_front[0]);
+  if (plan.lighting && state.lighting.separate_specular) result.specular = vector(self.vertices.specular_front[0]);
+  return result;
 }
 
 void Renderer::clear(const ClearState& state) {

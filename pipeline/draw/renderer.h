@@ -15,6 +15,15 @@
 
 namespace gouraud::pipeline {
 
+/// A vertex as rasterization would get it.
+struct ProcessedVertex {
+  bool inside = false;        ///< of the clip volume; nothing below is valid otherwise
+  glm::vec3 position_window{0.0f};  ///< y up, z in [0, 1]
+  float w_clip = 1.0f;
+  float eye_distance = 0.0f;  ///< if the state's report asks for eye positions
+  glm::vec4 color{0.0f}, specular{0.0f};  ///< of the front face, clamped; specular is black unless it is separate
+};
+
 class Renderer {
  public:
   /// `thread_count` >= 1 counts the calling thread: with 1 no thread is ever made.
@@ -31,6 +40,8 @@ class Renderer {
   /// Draws the batch's primitives. `plan` is make_plan(state, target format) and may be shared by draws of equal state.
   void draw(const DrawState& state, const Plan& plan, const VertexBatch& batch);
   void clear(const ClearState& state);
+  /// The batch's first vertex through the vertex stages of a reporting plan; draws nothing.
+  ProcessedVertex process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch);
 
   /// All that was drawn is in the target when this returns. Returns at once if nothing is pending.
   void finish();

@@ -97,5 +97,15 @@ bool project_vertex(const ViewportState& state, ProcessedVertices& vertices, std
   return finite;
 }
 
+glm::vec3 window_position(const ViewportState& state, const ProcessedVertices& vertices, std::int32_t index) {
+  const auto i = static_cast<std::size_t>(index);
+  const double w = vertices.position_clip[3][i];
+  const auto ndc = [&](std::size_t k) { return static_cast<double>(vertices.position_clip[k][i]) / w; };
+  const double x = state.x + (ndc(0) + 1.0) * 0.5 * state.width_px, y = state.y + (ndc(1) + 1.0) * 0.5 * state.height_px;
+  const double near = state.depth_near, far = state.depth_far;
+  const double z = std::clamp(near + (ndc(2) + 1.0) * 0.5 * (far - near), std::min(near, far), std::max(near, far));
+  return glm::vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+}
+
 }  // namespace gouraud::pipeline
 #endif

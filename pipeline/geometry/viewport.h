@@ -26,4 +26,8 @@ void project_to_window(const ViewportState& state, ProcessedVertices& vertices);
 /// invalid, if the position is not finite.
 bool project_vertex(const ViewportState& state, ProcessedVertices& vertices, std::int32_t index);
 
+/// The window position of a vertex inside the clip volume as the application sees it: y up, z in [0, 1]; computed from
+/// its clip position in double, rounded once [GL1.5 §2.11.1].
+glm::vec3 window_position(const ViewportState& state, const ProcessedVertices& vertices, std::int32_t index);
+
 }  // namespace gouraud::pipeline
