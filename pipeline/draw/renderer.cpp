@@ -74,9 +74,15 @@ struct Renderer::Implementation {
   void draw_line(AssembledLine line);
   void draw_point(const AssembledPoint& point);
   void clip_and_draw(const AssembledTriangle& triangle);
+  /// Rasterizes what is pending.
+  void run_bins() {
+    bins.run();
+    kept.clear();
+  }
   void emit(const AssembledTriangle& triangle) { unfilled ? draw_unfilled(triangle) : draw_triangle(triangle); }
 
   TileBins bins;
+  std::vector<std::shared_ptr<const void>> kept;  ///< until the bins have run
   DrawObserver* observer = nullptr;
   bool dirty = false;
 
@@ -231,7 +237,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
     for (const AssembledLine& line : self.assembled.lines) self.draw_line(line);
     for (const AssembledPoint& point : self.assembled.points) self.draw_point(point);
   }
-  if (self.bins.full()) self.bins.run();
+  if (self.bins.full()) self.run_bins();
 }
 
 ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
@@ -262,10 +268,15 @@ void Renderer::clear(const ClearState& state) {
     target()->depth.use_stencil();
   }
   implementation_->bins.add_clear(state);
-  if (implementation_->bins.full()) implementation_->bins.run();
+  if (implementation_->bins.full()) implementation_->run_bins();
 }
 
-void Renderer::finish() { implementation_->bins.run(); }
+void Renderer::keep(std::shared_ptr<const void> resource) {
+  auto& kept = implementation_->kept;
+  if (kept.empty() || kept.back() != resource) kept.push_back(std::move(resource));
+}
+
+void Renderer::finish() { implementation_->run_bins(); }
 
 bool Renderer::take_dirty() { return std::exchange(implementation_->dirty, false); }
 

@@ -43,6 +43,9 @@ class Renderer {
   /// The batch's first vertex through the vertex stages of a reporting plan; draws nothing.
   ProcessedVertex process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch);
 
+  /// Keeps what the draws so far refer to (a texture) alive until they have been rasterized.
+  void keep(std::shared_ptr<const void> resource);
+
   /// All that was drawn is in the target when this returns. Returns at once if nothing is pending.
   void finish();
   /// True if something was drawn or cleared since the last call of this function: the OSMesa copy-out asks.
