@@ -235,13 +235,26 @@ static_assert(std::is_trivially_copyable_v<DrawState>);
 
 /// glClear of the chosen buffers under scissor and masks [GL1.5 §4.2.3].
 struct ClearState {
-  bool color = false, depth = false, stencil = false;
+  bool color = false, depth = false, stencil = false, accum = false;
   PixelRect scissor{};
   std::uint8_t color_write_mask = 0xF;
   glm::vec4 clear_color{0.0f};  ///< clamped to [0, 1]
   double clear_depth = 1.0;     ///< in [0, 1]
   std::uint32_t clear_stencil = 0, stencil_write_mask = ~0u;
+  glm::vec4 clear_accum{0.0f};  ///< in [-1, 1]
   bool operator==(const ClearState&) const = default;
+};
+
+/// [GL1.5 §4.2.4]: load and accumulate take the colour buffer into the accumulation buffer, `give_back` is the way back.
+enum class AccumOp : std::uint8_t { accumulate, load, add, multiply, give_back };
+
+/// One accumulation of all pixels inside the scissor box.
+struct AccumState {
+  AccumOp op = AccumOp::accumulate;
+  float value = 0.0f;  ///< finite; in [-1, 1] for add and multiply
+  PixelRect scissor{};
+  std::uint8_t color_write_mask = 0xF;  ///< of give_back
+  bool operator==(const AccumState&) const = default;
 };
 
 }  // namespace gouraud::pipeline

@@ -31,7 +31,7 @@ constexpr std::int32_t few_tiles = 4;
 /// Triangles that a tile sets up together.
 constexpr std::size_t tile_setup_batch = 8;
 
-void prefetch_depth(const WaitingTriangle& triangle, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& pixels,
+void prefetch_depth(const WaitingTriangle& triangle, std::int32_t tile_x, std::int32_t tile_y, const std::byte* depth,
                     std::int32_t bytes_per_depth) {
   constexpr std::int32_t small = 2 * block_size;
   if (triangle.x1 - triangle.x0 > small || triangle.y1 - triangle.y0 > small) return;
@@ -41,9 +41,15 @@ void prefetch_depth(const WaitingTriangle& triangle, std::int32_t tile_x, std::i
   for (std::int32_t x = x0; x <= x1; ++x) {
     for (std::int32_t y = y0 & ~1; y < y1; y += 2) {
       const std::int32_t pixel = (y / block_size * blocks_per_tile_row + x) * pixels_per_block + y % block_size * block_size;
-      __builtin_prefetch(pixels.depth + pixel * bytes_per_depth, 1);
+      __builtin_prefetch(depth + pixel * bytes_per_depth, 1);
     }
   }
+}
+
+/// The tile's pixels, for drawing: carries out the clears that wait there.
+TileTarget tile_target(const Framebuffer& target, std::int32_t tile_x, std::int32_t tile_y) {
+  const auto pixels = [=](const TiledBuffer& plane) { return plane.empty() ? nullptr : plane.tile(tile_x, tile_y); };
+  return {pixels(target.color), pixels(target.depth), pixels(target.stencil)};
 }
 
 /// True if the edge has the whole tile on its outer side.
@@ -200,20 +206,24 @@ std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t
 void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
   const std::int32_t tile_x = tile % target_->tiles_x, tile_y = tile / target_->tiles_x;
-  const TileTarget pixels{target_->color.empty() ? nullptr : target_->color.tile(tile_x, tile_y),
-                          target_->depth.empty() ? nullptr : target_->depth.tile(tile_x, tile_y)};
+  const std::byte* const soon_depth = target_->depth.empty() ? nullptr : target_->depth.tile_storage(tile_x, tile_y);
   const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
   const auto look_ahead = [&](std::size_t i) {
     if (i + prefetch_distance < bin.size()) prefetch(bin[i + prefetch_distance]);
-    if (i + prefetch_depth_distance >= bin.size() || pixels.depth == nullptr) return;
+    if (i + prefetch_depth_distance >= bin.size() || soon_depth == nullptr) return;
     const Entry& soon = bin[i + prefetch_depth_distance];
     if (soon.kind != EntryKind::triangle) return;
-    prefetch_depth(*static_cast<const WaitingTriangle*>(soon.what), x, y, pixels, target_->depth.bytes_per_pixel());
+    prefetch_depth(*static_cast<const WaitingTriangle*>(soon.what), x, y, soon_depth, target_->depth.bytes_per_pixel());
   };
   for (std::size_t i = 0; i < std::min(prefetch_distance, bin.size()); ++i) prefetch(bin[i]);
+  TileTarget pixels;
+  bool touched = false;  // `pixels` is valid: no clear since
   for (std::size_t i = 0; i < bin.size();) {
     const Entry& entry = bin[i];
     std::size_t done = 1;
+    const bool clears = entry.kind == EntryKind::clear;
+    if (!clears && !touched) pixels = tile_target(*target_, tile_x, tile_y);
+    touched = !clears;
     switch (entry.kind) {
       case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;

@@ -1,132 +1,133 @@
+// A clear is a pattern for each plane: which bits of a pixel it sets, and to what. A pattern that sets every bit of a
+// whole tile is left with the plane (TiledBuffer::clear_tile); so is one that meets a clear which still waits there.
 #include "pipeline/framebuffer/clear.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
 
+#include "pipeline/framebuffer/tile_runs.h"
+
 namespace gouraud::pipeline {
 namespace {
 
-/// Calls run(first_pixel, count) for each run of pixels of the tile that lie inside `cut` (tile-relative): one run for
-/// the whole tile, else one for each row of each block.
-template <class Run>
-void for_each_run(const PixelRect& cut, const Run& run) {
-  if (cut == PixelRect{0, 0, tile_size, tile_size}) return run(0, pixels_per_tile);
-  for (std::int32_t y = cut.y0; y < cut.y1; ++y) {
-    for (std::int32_t x = cut.x0; x < cut.x1;) {
-      const std::int32_t block_end = std::min((x / block_size + 1) * block_size, cut.x1);
-      const std::int32_t block = y / block_size * blocks_per_tile_row + x / block_size;
-      run(block * pixels_per_block + y % block_size * block_size + x % block_size, block_end - x);
-      x = block_end;
-    }
+/// The bits of `mask` become those of `value`; both repeat with every pixel.
+struct Pattern {
+  PixelBytes value{}, mask{};
+
+  bool sets_something() const { return mask != PixelBytes{}; }
+  bool sets_everything() const {
+    return std::all_of(mask.begin(), mask.end(), [](std::uint8_t bits) { return bits == 0xFF; });
+  }
+  std::uint8_t applied(std::uint8_t old, std::size_t i) const {
+    return static_cast<std::uint8_t>((old & ~mask[i]) | (value[i] & mask[i]));
+  }
+};
+
+template <class Word>
+PixelBytes repeated(const Word& pixel) {
+  PixelBytes bytes;
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof pixel) std::memcpy(&bytes[i], &pixel, sizeof pixel);
+  return bytes;
+}
+
+/// Sets `size` bytes that begin with a pixel.
+void apply(const Pattern& pattern, std::byte* pixels, std::size_t size) {
+  constexpr std::size_t step = std::tuple_size_v<PixelBytes>;
+  for (std::size_t done = 0; done < size; done += step) {
+    PixelBytes bytes{};
+    const std::size_t part = std::min(step, size - done);
+    std::memcpy(bytes.data(), pixels + done, part);
+    for (std::size_t i = 0; i < step; ++i) bytes[i] = pattern.applied(bytes[i], i);
+    std::memcpy(pixels + done, bytes.data(), part);
   }
 }
 
-/// Sets whole words: a block of them, then copies of that block, which the C library does at memory speed.
-template <class Word>
-void fill_words(Word* words, std::int32_t count, Word value) {
-  const std::int32_t first = std::min(count, pixels_per_block);
-  std::fill_n(words, first, value);
-  for (std::int32_t done = first; done < count; done += first) {
-    std::memcpy(words + done, words, static_cast<std::size_t>(std::min(first, count - done)) * sizeof(Word));
-  }
-}
-
-/// Sets the bits of `mask` in each word of the runs to those of `value`.
-template <class Word>
-void fill(std::byte* tile, const PixelRect& cut, Word value, Word mask) {
-  Word* words = reinterpret_cast<Word*>(tile);
-  for_each_run(cut, [=](std::int32_t first, std::int32_t count) {
-    if (mask == static_cast<Word>(~Word{0})) return fill_words(words + first, count, value);
-    for (std::int32_t i = first; i < first + count; ++i) {
-      words[i] = static_cast<Word>((words[i] & static_cast<Word>(~mask)) | (value & mask));
+void clear_plane(const TiledBuffer& plane, const TileCut& tile, const Pattern& pattern) {
+  if (plane.empty() || !pattern.sets_something()) return;
+  const PixelRect cut = tile.of(plane);
+  if (cut.empty()) return;
+  if (cut == whole_tile) {
+    if (pattern.sets_everything()) return plane.clear_tile(tile.tile_x, tile.tile_y, pattern.value);
+    if (const PixelBytes* waiting = plane.waiting_clear(tile.tile_x, tile.tile_y)) {
+      PixelBytes both = *waiting;
+      for (std::size_t i = 0; i < both.size(); ++i) both[i] = pattern.applied(both[i], i);
+      return plane.clear_tile(tile.tile_x, tile.tile_y, both);
     }
-  });
-}
-
-template <class Channel>
-void fill_channels(std::byte* tile, const PixelRect& cut, const std::array<Channel, 4>& value, std::uint8_t write_mask) {
-  auto* channels = reinterpret_cast<Channel*>(tile);
+  }
+  std::byte* const pixels = plane.tile(tile.tile_x, tile.tile_y);
+  const auto bytes = static_cast<std::size_t>(plane.bytes_per_pixel());
   for_each_run(cut, [&](std::int32_t first, std::int32_t count) {
-    for (std::int32_t i = first; i < first + count; ++i) {
-      for (std::int32_t k = 0; k < 4; ++k) {
-        if ((write_mask >> k & 1) != 0) channels[4 * i + k] = value[static_cast<std::size_t>(k)];
-      }
-    }
+    apply(pattern, pixels + static_cast<std::size_t>(first) * bytes, static_cast<std::size_t>(count) * bytes);
   });
 }
 
-void clear_color(const Framebuffer& target, std::byte* tile, const PixelRect& cut, const ClearState& state) {
-  const auto unorm = [&](int channel, float scale) {
-    return static_cast<std::uint32_t>(std::nearbyint(std::clamp(state.clear_color[channel], 0.0f, 1.0f) * scale));
-  };
-  switch (target.color_format) {
-    case ColorFormat::rgba8: {
-      std::uint32_t value = 0, mask = 0;
-      for (int k = 0; k < 4; ++k) {
-        value |= unorm(k, 255.0f) << (8 * k);
-        if ((state.color_write_mask >> k & 1) != 0) mask |= 0xFFu << (8 * k);
-      }
-      return fill(tile, cut, value, mask);
-    }
-    case ColorFormat::rgba16: {
-      std::array<std::uint16_t, 4> value;
-      for (int k = 0; k < 4; ++k) value[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(unorm(k, 65535.0f));
-      return fill_channels(tile, cut, value, state.color_write_mask);
-    }
-    case ColorFormat::rgba32f: {
-      const std::array<float, 4> value{state.clear_color[0], state.clear_color[1], state.clear_color[2], state.clear_color[3]};
-      return fill_channels(tile, cut, value, state.color_write_mask);
-    }
-    case ColorFormat::none: return;
-  }
+/// Four channels of which `write_mask` names those that are written.
+template <class Channel>
+Pattern channel_pattern(const std::array<Channel, 4>& color, std::uint8_t write_mask) {
+  std::array<std::uint8_t, 4 * sizeof(Channel)> mask{};
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = (write_mask >> (i / sizeof(Channel)) & 1) != 0 ? 0xFF : 0;
+  return {repeated(color), repeated(mask)};
 }
 
-void clear_depth_stencil(const Framebuffer& target, std::byte* tile, const PixelRect& cut, const ClearState& state) {
+Pattern color_pattern(ColorFormat format, const ClearState& state) {
+  const auto unorm = [&]<class Channel>(Channel largest) {
+    std::array<Channel, 4> color;
+    for (int k = 0; k < 4; ++k) {
+      const float value = std::clamp(state.clear_color[k], 0.0f, 1.0f) * static_cast<float>(largest);
+      color[static_cast<std::size_t>(k)] = static_cast<Channel>(std::nearbyint(value));
+    }
+    return channel_pattern(color, state.color_write_mask);
+  };
+  switch (format) {
+    case ColorFormat::rgba8: return unorm(std::uint8_t{0xFF});
+    case ColorFormat::rgba16: return unorm(std::uint16_t{0xFFFF});
+    case ColorFormat::rgba32f: {
+      const glm::vec4& c = state.clear_color;
+      return channel_pattern(std::array<float, 4>{c[0], c[1], c[2], c[3]}, state.color_write_mask);
+    }
+    case ColorFormat::none: break;
+  }
+  return {};
+}
+
+Pattern depth_pattern(const Framebuffer& target, const ClearState& state) {
   const double depth = std::clamp(state.clear_depth, 0.0, 1.0);
+  const PixelBytes all = repeated(std::uint8_t{0xFF});
   switch (target.depth_format) {
     case DepthFormat::z24s8: {
-      const std::uint32_t value = static_cast<std::uint32_t>(std::nearbyint(depth * 0xFFFFFF)) | state.clear_stencil << 24;
-      const std::uint32_t mask = (state.depth ? 0xFFFFFFu : 0u) | (state.stencil ? state.stencil_write_mask << 24 : 0u);
+      const auto value = static_cast<std::uint32_t>(std::nearbyint(depth * 0xFFFFFF));
       // Where all stencil values are zero, whole words are right as well, and no old word needs to be read.
-      const bool whole = state.depth && !target.depth.stencil_in_use();
-      return fill(tile, cut, whole ? value & 0xFFFFFFu : value, whole ? ~0u : mask);
+      if (!target.depth.stencil_in_use()) return {repeated(value), state.depth ? all : PixelBytes{}};
+      const std::uint32_t stencil_mask = state.stencil ? state.stencil_write_mask << 24 : 0u;
+      return {repeated(value | state.clear_stencil << 24), repeated((state.depth ? 0xFFFFFFu : 0u) | stencil_mask)};
     }
     case DepthFormat::z16:
-      if (state.depth) {
-        fill(tile, cut, static_cast<std::uint16_t>(std::nearbyint(depth * 0xFFFF)), std::uint16_t{0xFFFF});
-      }
+      if (state.depth) return {repeated(static_cast<std::uint16_t>(std::nearbyint(depth * 0xFFFF))), all};
       break;
     case DepthFormat::z32f:
-      if (state.depth) fill(tile, cut, std::bit_cast<std::uint32_t>(static_cast<float>(depth)), ~0u);
+      if (state.depth) return {repeated(static_cast<float>(depth)), all};
       break;
     case DepthFormat::none: break;
   }
+  return {};
 }
 
 }  // namespace
 
-void clear_tile(const Framebuffer& target, std::int32_t tile, const ClearState& state) {
-  const std::int32_t tile_x = tile % target.tiles_x, tile_y = tile / target.tiles_x;
-  const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
-  const PixelRect& box = state.scissor;
-  // A scissor box that reaches a plane's edge may as well clear the padding beyond it.
-  const auto cut = [&](const TiledBuffer& plane) -> PixelRect {
-    const std::int32_t x1 = box.x1 >= plane.width_px() ? tile_size : box.x1 - x;
-    const std::int32_t y1 = box.y1 >= plane.height_px() ? tile_size : box.y1 - y;
-    return {std::max(box.x0 - x, 0), std::max(box.y0 - y, 0), std::min(x1, tile_size), std::min(y1, tile_size)};
-  };
-  if (state.color && state.color_write_mask != 0 && !target.color.empty()) {
-    clear_color(target, target.color.tile(tile_x, tile_y), cut(target.color), state);
+void clear_tile(const Framebuffer& target, std::int32_t tile_index, const ClearState& state) {
+  const TileCut tile(target, tile_index, state.scissor);
+  if (state.color) clear_plane(target.color, tile, color_pattern(target.color_format, state));
+  if ((state.depth || state.stencil) && !target.depth.empty()) clear_plane(target.depth, tile, depth_pattern(target, state));
+  if (state.stencil) {
+    clear_plane(target.stencil, tile,
+                {repeated(static_cast<std::uint8_t>(state.clear_stencil)),
+                 repeated(static_cast<std::uint8_t>(state.stencil_write_mask))});
   }
-  if ((state.depth || state.stencil) && !target.depth.empty()) {
-    clear_depth_stencil(target, target.depth.tile(tile_x, tile_y), cut(target.depth), state);
-  }
-  if (state.stencil && !target.stencil.empty()) {
-    fill(target.stencil.tile(tile_x, tile_y), cut(target.stencil), static_cast<std::uint8_t>(state.clear_stencil),
-         static_cast<std::uint8_t>(state.stencil_write_mask));
+  if (state.accum) {
+    const glm::vec4& c = state.clear_accum;
+    clear_plane(target.accum, tile, channel_pattern(std::array<float, 4>{c[0], c[1], c[2], c[3]}, 0xF));
   }
 }
 

@@ -1,5 +1,5 @@
 // Clearing one tile [GL1.5 §4.2.3]. choice: clears wait in the tile bins like primitives, so that a tile's whole frame
-// happens while it is in the cache.
+// happens while it is in the cache; a whole tile's clear waits on, in the plane, until the tile is drawn to or read.
 #pragma once
 
 #include "pipeline/draw/draw_state.h"

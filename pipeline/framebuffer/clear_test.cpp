@@ -59,6 +59,42 @@ TEST(Clear, OfDepthLeavesStencilAndTheOtherWayRound) {
   EXPECT_EQ(stencil, 0x8D);
 }
 
+TEST(Clear, OfAWholeTileWaitsUntilItsPixelsAreAskedFor) {
+  Framebuffer target(128, 64, ColorFormat::rgba8, DepthFormat::z24s8, 8);
+  const auto waits = [&](const TiledBuffer& plane, int tile) { return plane.waiting_clear(tile, 0) != nullptr; };
+  clear_all(target, {.color = true, .depth = true, .scissor = {0, 0, 128, 64}, .clear_color = glm::vec4(1)});
+  EXPECT_TRUE(waits(target.color, 0) && waits(target.color, 1) && waits(target.depth, 0));
+  EXPECT_EQ(pixel(target, 3, 60), (Bytes{255, 255, 255, 255}));
+  EXPECT_FALSE(waits(target.color, 0));
+  EXPECT_TRUE(waits(target.color, 1) && waits(target.depth, 0));
+}
+
+TEST(Clear, UnderAMaskMeetsAClearThatWaits) {
+  Framebuffer target(64, 64, ColorFormat::rgba8, DepthFormat::z24s8, 8);
+  const PixelRect all{0, 0, 64, 64};
+  clear_all(target, {.color = true, .scissor = all, .clear_color = glm::vec4(1)});
+  clear_all(target, {.color = true, .scissor = all, .color_write_mask = 0b0110});
+  clear_all(target, {.depth = true, .scissor = all, .clear_depth = 0.5});
+  clear_all(target, {.stencil = true, .scissor = all, .clear_stencil = 0xFF, .stencil_write_mask = 0x3C});
+  EXPECT_NE(target.color.waiting_clear(0, 0), nullptr);
+  EXPECT_NE(target.depth.waiting_clear(0, 0), nullptr);
+  EXPECT_EQ(pixel(target, 1, 2), (Bytes{255, 0, 0, 255}));
+  std::uint32_t depth = 0;
+  std::uint8_t stencil = 0;
+  read_depth_row(target, 5, 6, 1, &depth);
+  read_stencil_row(target, 5, 6, 1, &stencil);
+  EXPECT_EQ(depth, 0x800000u);
+  EXPECT_EQ(stencil, 0x3C);
+}
+
+TEST(Clear, InsideAScissorKeepsTheClearThatWaitedOutside) {
+  Framebuffer target(64, 64, ColorFormat::rgba8, DepthFormat::none, 0);
+  clear_all(target, {.color = true, .scissor = {0, 0, 64, 64}, .clear_color = glm::vec4(1)});
+  clear_all(target, {.color = true, .scissor = {0, 0, 5, 64}});
+  EXPECT_EQ(pixel(target, 4, 63), (Bytes{0, 0, 0, 0}));
+  EXPECT_EQ(pixel(target, 5, 63), (Bytes{255, 255, 255, 255}));
+}
+
 TEST(Clear, OfDepthRoundsToNearestIn16Bits) {
   Framebuffer target(8, 8, ColorFormat::none, DepthFormat::z16, 0);
   clear_all(target, {.depth = true, .scissor = {0, 0, 8, 8}, .clear_depth = 0.5});

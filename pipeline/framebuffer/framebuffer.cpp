@@ -1,6 +1,7 @@
 #include "pipeline/framebuffer/framebuffer.h"
 
 #include <cstdlib>
+#include <cstring>
 #include <new>
 
 #if defined(__linux__)
@@ -17,11 +18,12 @@ constexpr std::size_t large_page = std::size_t{1} << 21;
 
 }  // namespace
 
-// calloc gives large blocks as fresh pages that cost nothing until they are touched; the pixels are aligned inside.
+// malloc gives large blocks as fresh pages that cost nothing until they are touched; the pixels are aligned inside.
 // A large buffer asks for large pages: the first frame touches all of it, and page faults are most of that frame.
-TiledBuffer::Storage::Storage(std::size_t bytes) {
+TiledBuffer::Storage::Storage(std::size_t tiles, std::size_t bytes)
+    : waiting_clears(std::make_unique<WaitingClear[]>(tiles)) {
   const std::size_t alignment = bytes >= large_page ? large_page : small_alignment;
-  block = std::calloc(1, bytes + alignment);
+  block = std::malloc(bytes + alignment);
   if (block == nullptr) throw std::bad_alloc();
   const auto address = reinterpret_cast<std::uintptr_t>(block);
   pixels = reinterpret_cast<std::byte*>((address + alignment - 1) / alignment * alignment);
@@ -34,14 +36,26 @@ TiledBuffer::Storage::~Storage() { std::free(block); }
 
 TiledBuffer::TiledBuffer(int width, int height, int bytes)
     : width_px_(width), height_px_(height), tiles_per_row_(tiles_across(width)), bytes_per_pixel_(bytes) {
-  const std::size_t size = static_cast<std::size_t>(tiles_per_row_) * static_cast<std::size_t>(tiles_across(height)) *
-                           pixels_per_tile * static_cast<std::size_t>(bytes);
+  const std::size_t tiles = static_cast<std::size_t>(tiles_per_row_) * static_cast<std::size_t>(tiles_across(height));
+  const std::size_t size = tiles * pixels_per_tile * static_cast<std::size_t>(bytes);
   if (size == 0) return;
-  storage_ = std::make_shared<Storage>(size);
+  storage_ = std::make_shared<Storage>(tiles, size);
   pixels_ = storage_->pixels;
+  waiting_clears_ = storage_->waiting_clears.get();
 }
 
-Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthFormat depth_layout, int stencil_depth)
+// One block, then copies of it, which the C library does at memory speed.
+void TiledBuffer::carry_out_clear(std::size_t index) const {
+  WaitingClear& clear = waiting_clears_[index];
+  std::byte* const pixels = pixels_of(index);
+  const std::size_t block = pixels_per_block * static_cast<std::size_t>(bytes_per_pixel_);
+  for (std::size_t i = 0; i < block; i += sizeof clear.value) std::memcpy(pixels + i, clear.value.data(), sizeof clear.value);
+  for (std::size_t i = 1; i < pixels_per_tile / pixels_per_block; ++i) std::memcpy(pixels + i * block, pixels, block);
+  clear.waits = false;
+}
+
+Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthFormat depth_layout, int stencil_depth,
+                         bool accumulates)
     : width_px(width),
       height_px(height),
       tiles_x(tiles_across(width)),
@@ -51,6 +65,7 @@ Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthF
       stencil_bits(stencil_depth),
       color(width, height, pipeline::bytes_per_pixel(color_layout)),
       depth(width, height, pipeline::bytes_per_pixel(depth_layout)),
-      stencil(width, height, stencil_depth > 0 && depth_layout != DepthFormat::z24s8 ? 1 : 0) {}
+      stencil(width, height, stencil_depth > 0 && depth_layout != DepthFormat::z24s8 ? 1 : 0),
+      accum(width, height, accumulates ? 4 * static_cast<int>(sizeof(float)) : 0) {}
 
 }  // namespace gouraud::pipeline

@@ -6,6 +6,7 @@
 // read by an application.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -44,19 +45,28 @@ constexpr int bytes_per_pixel(DepthFormat format) {
   return 0;
 }
 
+/// The bytes of a pixel, repeated to fill 16: every format's pixels take 1, 2, 4, 8 or 16 bytes.
+using PixelBytes = std::array<std::uint8_t, 16>;
+
 /// One tiled plane of pixels, zero at first. A handle: copies share the pixels. So a renderbuffer or a level of a
 /// texture is the same plane in every framebuffer that it is attached to, and lives as long as one of them needs it.
+///
+/// Clearing a whole tile writes nothing: the tile remembers the value until somebody asks for its pixels. So a large
+/// buffer that is cleared often and drawn to in places costs what is drawn. Threads may work on different tiles.
 class TiledBuffer {
  public:
   TiledBuffer() = default;
-  /// Allocates zeroed storage for width x height pixels of `bytes_per_pixel` bytes; throws std::bad_alloc.
+  /// Storage for width x height pixels of `bytes_per_pixel` bytes, all zero; throws std::bad_alloc.
   TiledBuffer(int width_px, int height_px, int bytes_per_pixel);
 
-  /// The tile at this place of the buffer's own grid of tiles.
+  /// The pixels of the tile at this place of the buffer's own grid of tiles: the one way to them.
   std::byte* tile(int tile_x, int tile_y) const {
-    const auto index = static_cast<std::size_t>(tile_y) * static_cast<std::size_t>(tiles_per_row_) + static_cast<std::size_t>(tile_x);
-    return pixels_ + index * pixels_per_tile * static_cast<std::size_t>(bytes_per_pixel_);
+    const std::size_t index = index_of(tile_x, tile_y);
+    if (waiting_clears_[index].waits) carry_out_clear(index);
+    return pixels_of(index);
   }
+  /// Where the tile's pixels lie, for prefetching: what is there may be out of date.
+  const std::byte* tile_storage(int tile_x, int tile_y) const { return pixels_of(index_of(tile_x, tile_y)); }
   std::byte* pixel(int x, int y) const {
     const int block = (y % tile_size / block_size) * blocks_per_tile_row + x % tile_size / block_size;
     const int lane = (y % block_size) * block_size + x % block_size;
@@ -67,24 +77,48 @@ class TiledBuffer {
   int bytes_per_pixel() const { return bytes_per_pixel_; }
   bool empty() const { return pixels_ == nullptr; }
 
+  /// Sets every pixel of the tile to `value`, sooner or later.
+  void clear_tile(int tile_x, int tile_y, const PixelBytes& value) const {
+    waiting_clears_[index_of(tile_x, tile_y)] = {value, true};
+  }
+  /// What every pixel of the tile has by a clear not yet carried out; null if there is none.
+  const PixelBytes* waiting_clear(int tile_x, int tile_y) const {
+    const WaitingClear& clear = waiting_clears_[index_of(tile_x, tile_y)];
+    return clear.waits ? &clear.value : nullptr;
+  }
+
   /// False as long as every stencil value in the plane is zero: then a clear of depth alone may write whole words.
   /// Shared like the pixels. Not for an empty buffer.
   bool stencil_in_use() const { return storage_->stencil_in_use; }
   void use_stencil() const { storage_->stencil_in_use = true; }
 
  private:
+  struct WaitingClear {
+    PixelBytes value{};
+    bool waits = true;
+  };
   struct Storage {
-    explicit Storage(std::size_t bytes);
+    Storage(std::size_t tiles, std::size_t bytes);
     ~Storage();
     Storage(const Storage&) = delete;
     Storage& operator=(const Storage&) = delete;
 
     void* block = nullptr;
     std::byte* pixels = nullptr;  ///< in the block, aligned
+    std::unique_ptr<WaitingClear[]> waiting_clears;  ///< one a tile
     bool stencil_in_use = false;
   };
+  std::size_t index_of(int tile_x, int tile_y) const {
+    return static_cast<std::size_t>(tile_y) * static_cast<std::size_t>(tiles_per_row_) + static_cast<std::size_t>(tile_x);
+  }
+  std::byte* pixels_of(std::size_t index) const {
+    return pixels_ + index * pixels_per_tile * static_cast<std::size_t>(bytes_per_pixel_);
+  }
+  void carry_out_clear(std::size_t index) const;
+
   std::shared_ptr<Storage> storage_;
   std::byte* pixels_ = nullptr;
+  WaitingClear* waiting_clears_ = nullptr;
   int width_px_ = 0, height_px_ = 0;
   int tiles_per_row_ = 0;
   int bytes_per_pixel_ = 0;
@@ -94,8 +128,10 @@ class TiledBuffer {
 /// (0, 0) is that of each plane. Copies are other views of the same planes.
 struct Framebuffer {
   Framebuffer() = default;
-  /// A zeroed target of 1..16384 pixels a side; throws std::bad_alloc. `stencil_bits` is 0 or 8.
-  Framebuffer(int width_px, int height_px, ColorFormat color_format, DepthFormat depth_format, int stencil_bits);
+  /// A zeroed target of 1..16384 pixels a side; throws std::bad_alloc. `stencil_bits` is 0 or 8; `accumulates` asks for
+  /// an accumulation buffer.
+  Framebuffer(int width_px, int height_px, ColorFormat color_format, DepthFormat depth_format, int stencil_bits,
+              bool accumulates = false);
 
   int width_px = 0, height_px = 0;
   int tiles_x = 0, tiles_y = 0;
@@ -103,6 +139,7 @@ struct Framebuffer {
   DepthFormat depth_format = DepthFormat::none;
   int stencil_bits = 0;
   TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
+  TiledBuffer accum;                  ///< R, G, B, A in [-1, 1] as floats [GL1.5 §4.2.4]; memory once it is used
 
   int tile_count() const { return tiles_x * tiles_y; }
 };
