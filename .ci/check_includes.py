@@ -48,6 +48,7 @@ RULES = {
     "api/context": {"GL/gl.h", "api", "pipeline/draw", "pipeline/geometry/vertex_batch.h", "pipeline/framebuffer"},
     "api/commands": {"GL/gl.h", "api/state", "api/context", "api/registry", "api/snapshot",
                      "pipeline/framebuffer",       # ReadPixels takes rows out of the target
+                     "pipeline/geometry/vertex_batch.h",  # evaluators ask what a vertex demands
                      "pipeline/simd/dispatch.h"},  # GL_RENDERER names the instruction set
     "api/snapshot": {"GL/gl.h", "api/state", "api/context", "pipeline/draw"} | STAGE_DATA,
     "api/osmesa": {"GL/gl.h", "GL/osmesa.h", "api", "pipeline/draw", "pipeline/framebuffer"},

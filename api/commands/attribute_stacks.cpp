@@ -35,6 +35,7 @@ constexpr GroupRow<AttributeGroups> group_rows[] = {
     {GL_TRANSFORM_BIT, restore<&Attributes::transform>},
     {GL_COLOR_BUFFER_BIT, restore<&Attributes::color_buffer>},
     {GL_HINT_BIT, restore<&Attributes::hint>},
+    {GL_EVAL_BIT, restore<&Attributes::eval>},
     {GL_TEXTURE_BIT, restore<&Attributes::texture>},
     {GL_SCISSOR_BIT, restore<&Attributes::scissor>},
     {GL_MULTISAMPLE_BIT, restore<&Attributes::multisample>},

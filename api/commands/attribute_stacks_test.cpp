@@ -6,11 +6,13 @@
 #include "api/commands/begin_end.h"
 #include "api/commands/current_values.h"
 #include "api/commands/enables.h"
+#include "api/commands/evaluators.h"
 #include "api/commands/flush_and_hints.h"
 #include "api/commands/framebuffer_control.h"
 #include "api/commands/lighting.h"
 #include "api/commands/matrices.h"
 #include "api/commands/pixel_store.h"
+#include "api/commands/raster_position.h"
 #include "api/commands/rasterization.h"
 #include "api/commands/vertex_arrays.h"
 #include "api/commands/viewport.h"
@@ -49,6 +51,9 @@ const Change changes[] = {
     {GL_COLOR_BUFFER_BIT, false, [](Context& c) { ColorMask(c, GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE); }},
     {GL_COLOR_BUFFER_BIT, true, [](Context& c) { Disable(c, GL_DITHER); }},
     {GL_HINT_BIT, false, [](Context& c) { Hint(c, GL_FOG_HINT, GL_NICEST); }},
+    {GL_EVAL_BIT, false, [](Context& c) { MapGrid1f(c, 7, 0, 1); }},
+    {GL_EVAL_BIT, true, [](Context& c) { Enable(c, GL_AUTO_NORMAL); }},
+    {GL_CURRENT_BIT, false, [](Context& c) { WindowPos3f(c, 1, 2, 3); }},
     {GL_TEXTURE_BIT, false, [](Context& c) { ActiveTexture(c, GL_TEXTURE2); }},
     {GL_SCISSOR_BIT, false, [](Context& c) { Scissor(c, 1, 2, 3, 4); }},
     {GL_SCISSOR_BIT, true, [](Context& c) { Enable(c, GL_SCISSOR_TEST); }},

@@ -75,33 +75,10 @@ std::size_t bitmap_bytes(const PixelStore& store, GLsizei width, GLsizei height)
 }
 
 // How many floats or doubles a control point of this map has [GL1.5 Table 5.1]; 0 for an unknown map.
-std::size_t map_components(GLenum target) {
-  switch (target) {
-    case GL_MAP1_INDEX:
-    case GL_MAP2_INDEX:
-    case GL_MAP1_TEXTURE_COORD_1:
-    case GL_MAP2_TEXTURE_COORD_1:
-      return 1;
-    case GL_MAP1_TEXTURE_COORD_2:
-    case GL_MAP2_TEXTURE_COORD_2:
-      return 2;
-    case GL_MAP1_VERTEX_3:
-    case GL_MAP2_VERTEX_3:
-    case GL_MAP1_NORMAL:
-    case GL_MAP2_NORMAL:
-    case GL_MAP1_TEXTURE_COORD_3:
-    case GL_MAP2_TEXTURE_COORD_3:
-      return 3;
-    case GL_MAP1_VERTEX_4:
-    case GL_MAP2_VERTEX_4:
-    case GL_MAP1_COLOR_4:
-    case GL_MAP2_COLOR_4:
-    case GL_MAP1_TEXTURE_COORD_4:
-    case GL_MAP2_TEXTURE_COORD_4:
-      return 4;
-    default:
-      return 0;
-  }
+std::size_t values_of_point(GLenum target) {
+  const GLenum kind1 = target - GL_MAP1_COLOR_4, kind2 = target - GL_MAP2_COLOR_4;
+  if (kind1 < map_kinds) return static_cast<std::size_t>(map_components[kind1]);
+  return kind2 < map_kinds ? static_cast<std::size_t>(map_components[kind2]) : 0;
 }
 
 // A stride or an order that the command refuses gives no memory.
@@ -112,14 +89,14 @@ std::size_t steps(GLint stride, GLint order) {
 template <class Record>
 std::size_t map_1_values(const void* record) {
   const auto& r = *static_cast<const Record*>(record);
-  const std::size_t components = map_components(r.target);
+  const std::size_t components = values_of_point(r.target);
   return components == 0 || r.order <= 0 ? 0 : steps(r.stride, r.order) + components;
 }
 
 template <class Record>
 std::size_t map_2_values(const void* record) {
   const auto& r = *static_cast<const Record*>(record);
-  const std::size_t components = map_components(r.target);
+  const std::size_t components = values_of_point(r.target);
   if (components == 0 || r.uorder <= 0 || r.vorder <= 0) return 0;
   return steps(r.ustride, r.uorder) + steps(r.vstride, r.vorder) + components;
 }

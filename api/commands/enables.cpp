@@ -20,9 +20,13 @@ void set_enabled(Context& context, GLenum cap, bool enabled, const char* command
 Capability find_capability(AttributeGroups& groups, GLenum cap) {
   if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights))
     return {&groups.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
+  if (cap - GL_MAP1_COLOR_4 < map_kinds) return {&groups.eval.map1_enabled[cap - GL_MAP1_COLOR_4], 0};
+  if (cap - GL_MAP2_COLOR_4 < map_kinds) return {&groups.eval.map2_enabled[cap - GL_MAP2_COLOR_4], 0};
   switch (cap) {
     case GL_ALPHA_TEST:
       return {&groups.color_buffer.alpha_test_enabled, dirty_raster};
+    case GL_AUTO_NORMAL:
+      return {&groups.eval.auto_normal_enabled, 0};
     case GL_BLEND:
       return {&groups.color_buffer.blend.enabled, dirty_raster};
     case GL_COLOR_LOGIC_OP:

@@ -38,6 +38,7 @@ std::span<const StateRow> vertex_array_rows();    // vertex arrays, buffer bindi
 std::span<const StateRow> implementation_rows();  // limits and the target's properties
 std::span<const StateRow> display_list_rows();
 std::span<const StateRow> raster_position_rows();
+std::span<const StateRow> evaluator_rows();
 
 /// `value` as an integer: rounded to nearest, or for normalized values by Table 4.6; the nearest integer if it is out
 /// of range, 0 if NaN.

@@ -15,6 +15,7 @@ inline constexpr int max_texture_stack_depth = 10;
 inline constexpr int max_attrib_stack_depth = 16, max_client_attrib_stack_depth = 16;
 /// Recommendations for DrawRangeElements; larger draws are as fast.
 inline constexpr int max_elements_vertices = 3000, max_elements_indices = 3000;
+inline constexpr int max_eval_order = 30;
 inline constexpr int max_name_stack_depth = 64;
 inline constexpr int max_list_nesting = 64;
 inline constexpr int max_texture_size = 16384;

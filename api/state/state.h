@@ -5,6 +5,7 @@
 #include <GL/gl.h>
 
 #include "api/state/current.h"
+#include "api/state/evaluators.h"
 #include "api/state/framebuffer.h"
 #include "api/state/lighting.h"
 #include "api/state/limits.h"
@@ -55,6 +56,7 @@ struct AttributeGroups {
   ColorBufferGroup color_buffer;
   TextureGroup texture;
   HintGroup hint;
+  EvalGroup eval;
   ListGroup list;
   bool operator==(const AttributeGroups&) const = default;
 };
@@ -68,6 +70,7 @@ struct ClientAttributeGroups {
 
 struct State : AttributeGroups, ClientAttributeGroups {
   MatrixStacks matrices;
+  EvaluatorMaps maps;
   bool operator==(const State&) const = default;
 };
 

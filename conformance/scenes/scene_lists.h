@@ -31,6 +31,7 @@ SceneList depth_scenes();            // §4.1.6
 SceneList blending_scenes();         // §4.1.8
 SceneList logic_op_scenes();         // §4.1.10
 SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
+SceneList evaluator_scenes();        // §5.1
 SceneList display_list_scenes();     // §5.4
 
 }  // namespace gouraud::conformance
