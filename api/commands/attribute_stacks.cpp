@@ -34,6 +34,7 @@ constexpr GroupRow<AttributeGroups> group_rows[] = {
     {GL_VIEWPORT_BIT, restore<&Attributes::viewport>},
     {GL_TRANSFORM_BIT, restore<&Attributes::transform>},
     {GL_COLOR_BUFFER_BIT, restore<&Attributes::color_buffer>},
+    {GL_PIXEL_MODE_BIT, restore<&Attributes::pixel>},
     {GL_HINT_BIT, restore<&Attributes::hint>},
     {GL_EVAL_BIT, restore<&Attributes::eval>},
     {GL_TEXTURE_BIT, restore<&Attributes::texture>},
@@ -46,6 +47,8 @@ using ClientAttributes = ClientAttributeGroups;
 constexpr GroupRow<ClientAttributeGroups> client_group_rows[] = {
     {GL_CLIENT_PIXEL_STORE_BIT, restore<&ClientAttributes::pack>},
     {GL_CLIENT_PIXEL_STORE_BIT, restore<&ClientAttributes::unpack>},
+    {GL_CLIENT_PIXEL_STORE_BIT, restore<&ClientAttributes::pack_buffer>},
+    {GL_CLIENT_PIXEL_STORE_BIT, restore<&ClientAttributes::unpack_buffer>},
     {GL_CLIENT_VERTEX_ARRAY_BIT, restore<&ClientAttributes::vertex_arrays>},
 };
 

@@ -1,4 +1,5 @@
-// Takes bytes, gives buffer objects that arrays and indices are read from [GL1.5 §2.9, Tables 2.6 to 2.8; §6.1.13].
+// Takes bytes, gives buffer objects that arrays, indices and pixels are read from
+// [GL1.5 §2.9, Tables 2.6 to 2.8; §6.1.13] [ARB_pixel_buffer_object].
 // A draw has copied what it needs when it returns, so a store may change or vanish at any time.
 //
 // choice: an object whose name is deleted keeps its contents as long as another context or a saved client attribute
@@ -15,6 +16,10 @@ namespace {
 BufferBinding* find_binding(Context& context, GLenum target) {
   VertexArrayGroup& group = context.state.vertex_arrays;
   switch (target) {
+    case GL_PIXEL_PACK_BUFFER_ARB:
+      return &context.state.pack_buffer;
+    case GL_PIXEL_UNPACK_BUFFER_ARB:
+      return &context.state.unpack_buffer;
     case GL_ARRAY_BUFFER:
       return &group.array_buffer;
     case GL_ELEMENT_ARRAY_BUFFER:
@@ -68,7 +73,10 @@ BufferObject* bound_range(Context& context, GLenum target, GLintptr offset, GLsi
   return buffer;
 }
 
-void unbind(VertexArrayGroup& group, const BufferBinding& buffer) {
+void unbind(ClientAttributeGroups& groups, const BufferBinding& buffer) {
+  if (groups.pack_buffer == buffer) groups.pack_buffer = nullptr;
+  if (groups.unpack_buffer == buffer) groups.unpack_buffer = nullptr;
+  VertexArrayGroup& group = groups.vertex_arrays;
   if (group.array_buffer == buffer) group.array_buffer = nullptr;
   if (group.element_array_buffer == buffer) group.element_array_buffer = nullptr;
   for (VertexArray& array : group.arrays) {
@@ -89,7 +97,7 @@ void DeleteBuffers(Context& context, GLsizei n, const GLuint* buffers) {
   if (n < 0) return context.record_error(GL_INVALID_VALUE, "glDeleteBuffers", "n is negative");
   for (GLsizei i = 0; i < n; ++i) {
     if (const BufferBinding buffer = context.buffer_names().find(buffers[i])) {
-      unbind(context.state.vertex_arrays, buffer);
+      unbind(context.state, buffer);
       buffer->mapped = false;
     }
     context.buffer_names().remove(buffers[i]);

@@ -13,7 +13,8 @@ void DeleteBuffers(Context& context, GLsizei n, const GLuint* buffers);
 /// True once the name has been bound.
 GLboolean IsBuffer(Context& context, GLuint buffer);
 
-/// This one and all below: GL_INVALID_ENUM unless target is ARRAY_BUFFER or ELEMENT_ARRAY_BUFFER. Makes the object if
+/// This one and all below: GL_INVALID_ENUM unless target is ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER, PIXEL_PACK_BUFFER or
+/// PIXEL_UNPACK_BUFFER. Makes the object if
 /// there is none of that name.
 void BindBuffer(Context& context, GLenum target, GLuint buffer);
 

@@ -1,5 +1,4 @@
-// Takes PixelStore's parameters, gives the pixel store state and the addresses that follow from it
-// [GL1.5 §3.6.1, Table 3.1; §3.6.4; §4.3.2, Table 4.4].
+// Takes PixelStore's parameters, gives the pixel store state [GL1.5 §3.6.1, Table 3.1; §4.3.2, Table 4.4].
 #include "api/commands/pixel_store.h"
 
 namespace gouraud::api {
@@ -118,18 +117,6 @@ void PixelStorei(Context& context, GLenum pname, GLint param) {
     return context.record_error(GL_INVALID_VALUE, "glPixelStore", "param is outside the parameter's range");
   }
   set(is_pack(pname) ? context.state.pack : context.state.unpack, parameter, param);
-}
-
-ClientRows client_rows(const PixelStore& store, GLsizei width_px, std::size_t elements_per_pixel,
-                       std::size_t element_size) {
-  const auto row_length = static_cast<std::uintptr_t>(store.row_length_px > 0 ? store.row_length_px : width_px);
-  const std::uintptr_t pixel_size = elements_per_pixel * element_size;
-  const auto alignment = static_cast<std::uintptr_t>(store.alignment);
-  std::uintptr_t stride = row_length * pixel_size;
-  if (element_size < alignment) stride = (stride + alignment - 1) / alignment * alignment;
-  return {static_cast<std::uintptr_t>(store.skip_pixels) * pixel_size +
-              static_cast<std::uintptr_t>(store.skip_rows) * stride,
-          stride};
 }
 
 }  // namespace gouraud::api

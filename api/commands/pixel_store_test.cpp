@@ -85,28 +85,5 @@ TEST_P(PixelStorage, RefusesWhatIsOutOfRange) {
 
 GOURAUD_ON_BOTH_DRIVERS(PixelStorage);
 
-TEST(ClientRows, FollowTheEquationsOfTheSpecification) {
-  PixelStore store;
-  EXPECT_EQ(client_rows(store, 3, 3, 1).row_stride, 12u);  // 9 bytes, aligned to 4
-  EXPECT_EQ(client_rows(store, 3, 3, 4).row_stride, 36u);
-  store.alignment = 1;
-  EXPECT_EQ(client_rows(store, 3, 3, 1).row_stride, 9u);
-  store.alignment = 8;
-  EXPECT_EQ(client_rows(store, 3, 1, 4).row_stride, 16u);  // floats as well
-  EXPECT_EQ(client_rows(store, 3, 1, 2).row_stride, 8u);
-  store.row_length_px = 5;
-  store.skip_pixels = 2;
-  store.skip_rows = 3;
-  EXPECT_EQ(client_rows(store, 3, 4, 1).row_stride, 24u);
-  EXPECT_EQ(client_rows(store, 3, 4, 1).first_pixel, 2u * 4u + 3u * 24u);
-}
-
-TEST(ClientRows, OfAbsurdParametersAreDefined) {
-  PixelStore store;
-  store.row_length_px = store.skip_pixels = store.skip_rows = std::numeric_limits<GLint>::max();
-  store.alignment = 8;
-  client_rows(store, std::numeric_limits<GLint>::max(), 4, 4);
-}
-
 }  // namespace
 }  // namespace gouraud::api::testing

@@ -18,6 +18,7 @@ inline constexpr int max_elements_vertices = 3000, max_elements_indices = 3000;
 inline constexpr int max_eval_order = 30;
 inline constexpr int max_name_stack_depth = 64;
 inline constexpr int max_list_nesting = 64;
+inline constexpr int max_pixel_map_table = 256;
 inline constexpr int max_texture_size = 16384;
 /// The largest target and the largest viewport, in pixels a side.
 inline constexpr int max_target_size_px = 16384;

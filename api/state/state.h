@@ -4,11 +4,13 @@
 
 #include <GL/gl.h>
 
+#include "api/state/buffer_object.h"
 #include "api/state/current.h"
 #include "api/state/evaluators.h"
 #include "api/state/framebuffer.h"
 #include "api/state/lighting.h"
 #include "api/state/limits.h"
+#include "api/state/pixel.h"
 #include "api/state/pixel_store.h"
 #include "api/state/rasterization.h"
 #include "api/state/transform.h"
@@ -54,6 +56,7 @@ struct AttributeGroups {
   DepthGroup depth;
   StencilGroup stencil;
   ColorBufferGroup color_buffer;
+  PixelGroup pixel;
   TextureGroup texture;
   HintGroup hint;
   EvalGroup eval;
@@ -64,6 +67,7 @@ struct AttributeGroups {
 /// What PushClientAttrib can save.
 struct ClientAttributeGroups {
   PixelStore pack, unpack;
+  BufferBinding pack_buffer, unpack_buffer;
   VertexArrayGroup vertex_arrays;
   bool operator==(const ClientAttributeGroups&) const = default;
 };
@@ -71,6 +75,7 @@ struct ClientAttributeGroups {
 struct State : AttributeGroups, ClientAttributeGroups {
   MatrixStacks matrices;
   EvaluatorMaps maps;
+  PixelMaps pixel_maps;
   bool operator==(const State&) const = default;
 };
 
