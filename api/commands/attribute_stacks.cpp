@@ -28,6 +28,7 @@ constexpr GroupRow<AttributeGroups> group_rows[] = {
     {GL_POINT_BIT, restore<&Attributes::point>},
     {GL_LINE_BIT, restore<&Attributes::line>},
     {GL_POLYGON_BIT, restore<&Attributes::polygon>},
+    {GL_POLYGON_STIPPLE_BIT, restore<&Attributes::polygon_stipple>},
     {GL_LIGHTING_BIT, restore<&Attributes::lighting>},
     {GL_DEPTH_BUFFER_BIT, restore<&Attributes::depth>},
     {GL_STENCIL_BUFFER_BIT, restore<&Attributes::stencil>},

@@ -126,7 +126,8 @@ void append_attribute(pipeline::VertexArray<components>& attribute, std::int32_t
 
 // There is room for all of them.
 void append_elements(Context& context, const Sources& sources, std::span<const GLuint> elements) {
-  constexpr std::uint32_t in_blocks = pipeline::attribute_normal | pipeline::attribute_color;
+  constexpr std::uint32_t in_blocks =
+      pipeline::attribute_normal | pipeline::attribute_color | pipeline::attribute_edge_flag;
   const CurrentGroup& current = context.state.current;
   const std::uint32_t demand = context.immediate.demand;
   if ((demand & ~in_blocks) != 0 || sources.has(array_edge_flag) || !current.edge_flag) {
@@ -140,6 +141,9 @@ void append_elements(Context& context, const Sources& sources, std::span<const G
   }
   if (demand & pipeline::attribute_color) {
     append_attribute<4>(batch.color, batch.count, sources, array_color, elements, &current.color[0]);
+  }
+  if (demand & pipeline::attribute_edge_flag) {
+    std::fill_n(&batch.edge_flag[static_cast<std::size_t>(batch.count)], elements.size(), std::uint8_t{1});
   }
   batch.count += static_cast<std::int32_t>(elements.size());
 }

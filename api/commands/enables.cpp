@@ -41,6 +41,24 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
       return {&groups.color_buffer.dither_enabled, 0};
     case GL_INDEX_LOGIC_OP:
       return {&groups.color_buffer.index_logic_op_enabled, 0};
+    case GL_LINE_SMOOTH:
+      return {&groups.line.smooth_enabled, dirty_assembly};
+    case GL_LINE_STIPPLE:
+      return {&groups.line.stipple_enabled, dirty_assembly};
+    case GL_POINT_SMOOTH:
+      return {&groups.point.smooth_enabled, dirty_assembly};
+    case GL_POINT_SPRITE_ARB:
+      return {&groups.point.sprite_enabled, dirty_assembly};
+    case GL_POLYGON_OFFSET_FILL:
+      return {&groups.polygon.offset_fill_enabled, dirty_assembly};
+    case GL_POLYGON_OFFSET_LINE:
+      return {&groups.polygon.offset_line_enabled, dirty_assembly};
+    case GL_POLYGON_OFFSET_POINT:
+      return {&groups.polygon.offset_point_enabled, dirty_assembly};
+    case GL_POLYGON_SMOOTH:
+      return {&groups.polygon.smooth_enabled, dirty_assembly};
+    case GL_POLYGON_STIPPLE:
+      return {&groups.polygon.stipple_enabled, dirty_raster};
     case GL_LIGHTING:
       return {&groups.lighting.enabled, dirty_lighting};
     case GL_MULTISAMPLE:

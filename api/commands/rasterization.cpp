@@ -1,5 +1,7 @@
 #include "api/commands/rasterization.h"
 
+#include <algorithm>
+
 #include "api/commands/clamped.h"
 
 namespace gouraud::api {
@@ -7,11 +9,50 @@ namespace gouraud::api {
 void PointSize(Context& context, GLfloat size) {
   if (!(size > 0.0f)) return context.record_error(GL_INVALID_VALUE, "glPointSize", "size is not positive");
   context.state.point.size_px = size;
+  context.change(dirty_assembly);
+}
+
+void PointParameterfv(Context& context, GLenum pname, const GLfloat* params) {
+  PointGroup& point = context.state.point;
+  const auto set_size = [&](float& size) {
+    if (!(params[0] >= 0.0f)) return context.record_error(GL_INVALID_VALUE, "glPointParameter", "a size is negative");
+    size = params[0];
+  };
+  switch (pname) {
+    case GL_POINT_SIZE_MIN:
+      set_size(point.smallest_px);
+      break;
+    case GL_POINT_SIZE_MAX:
+      set_size(point.largest_px);
+      break;
+    case GL_POINT_FADE_THRESHOLD_SIZE:
+      set_size(point.fade_threshold_px);
+      break;
+    case GL_POINT_DISTANCE_ATTENUATION:
+      point.distance_attenuation = glm::vec3(params[0], params[1], params[2]);
+      break;
+    default:
+      return context.record_error(GL_INVALID_ENUM, "glPointParameter", "pname is unknown");
+  }
+  context.change(dirty_assembly);
 }
 
 void LineWidth(Context& context, GLfloat width) {
   if (!(width > 0.0f)) return context.record_error(GL_INVALID_VALUE, "glLineWidth", "width is not positive");
   context.state.line.width_px = width;
+  context.change(dirty_assembly);
+}
+
+void LineStipple(Context& context, GLint factor, GLushort pattern) {
+  context.state.line.stipple_factor = std::clamp(factor, 1, 256);
+  context.state.line.stipple_pattern = pattern;
+  context.change(dirty_assembly);
+}
+
+void PolygonOffset(Context& context, GLfloat factor, GLfloat units) {
+  context.state.polygon.offset_factor = factor;
+  context.state.polygon.offset_units = units;
+  context.change(dirty_assembly);
 }
 
 void FrontFace(Context& context, GLenum mode) {

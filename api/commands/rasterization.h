@@ -11,6 +11,14 @@ namespace gouraud::api {
 void PointSize(Context& context, GLfloat size);
 void LineWidth(Context& context, GLfloat width);
 
+/// GL_INVALID_ENUM for an unknown pname; GL_INVALID_VALUE if a size is negative or no number.
+void PointParameterfv(Context& context, GLenum pname, const GLfloat* params);
+
+/// `factor` is clamped to [1, 256].
+void LineStipple(Context& context, GLint factor, GLushort pattern);
+
+void PolygonOffset(Context& context, GLfloat factor, GLfloat units);
+
 /// All: GL_INVALID_ENUM for unknown values.
 void FrontFace(Context& context, GLenum mode);
 void CullFace(Context& context, GLenum mode);

@@ -172,6 +172,9 @@ void copy_block(Context& context, const VertexRun& run, std::size_t first, std::
   if (context.immediate.demand & pipeline::attribute_color) {
     copy_attribute<4>(batch.color, to, run.color, arrays, first, count, glm::value_ptr(current.color));
   }
+  if (context.immediate.demand & pipeline::attribute_edge_flag) {
+    std::fill_n(batch.edge_flag.data() + to, count, static_cast<std::uint8_t>(current.edge_flag));
+  }
   batch.count += static_cast<std::int32_t>(count);
 }
 

@@ -65,6 +65,7 @@ void move_vertex(VertexBatch& batch, std::int32_t from, std::int32_t to) {
   for (auto& component : batch.position_object) component[target] = component[source];
   for (auto& component : batch.normal_object) component[target] = component[source];
   for (auto& component : batch.color) component[target] = component[source];
+  batch.edge_flag[target] = batch.edge_flag[source];
 }
 
 pipeline::MaterialPair material_at(const VertexBatch& batch, const pipeline::MaterialPair& first, std::int32_t vertex) {

@@ -5,6 +5,7 @@
 #include "api/snapshot/blend_snapshot.h"
 #include "api/snapshot/enums.h"
 #include "api/snapshot/lighting_snapshot.h"
+#include "api/snapshot/rasterization_snapshot.h"
 #include "api/state/matrix.h"
 
 namespace gouraud::api {
@@ -41,9 +42,11 @@ pipeline::DepthState depth_state(const DepthGroup& group, const TargetInfo& targ
 
 pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
   const std::uint8_t mask = color_write_mask(state.color_buffer, target);
-  return {writable_rect(state.scissor, target), depth_state(state.depth, target), mask,
-          alpha_test_state(state.color_buffer), blend_state(state.color_buffer, mask),
-          logic_op_state(state.color_buffer, mask, target.format.color)};
+  pipeline::RasterState result{writable_rect(state.scissor, target), depth_state(state.depth, target), mask,
+                               alpha_test_state(state.color_buffer), blend_state(state.color_buffer, mask),
+                               logic_op_state(state.color_buffer, mask, target.format.color)};
+  result.polygon_stipple = polygon_stipple_state(state.polygon, state.polygon_stipple);
+  return result;
 }
 
 pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
@@ -106,10 +109,16 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   if (dirty & dirty_raster) draw_state.raster = raster_state(state, target);
   const bool colors_matter = draw_state.raster.needs_colors();
   if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting;
-  if (draw_state.raster.depth.test_enabled != old_raster.depth.test_enabled) dirty |= dirty_viewport;
+  const bool depth_matters = draw_state.raster.depth.test_enabled;
+  if (depth_matters != old_raster.depth.test_enabled) dirty |= dirty_viewport | dirty_assembly;
 
   const pipeline::CullMode old_cull = draw_state.assembly.cull;
   if (dirty & (dirty_assembly | dirty_lighting)) draw_state.assembly = assembly_state(state, colors_matter);
+  if (dirty & dirty_assembly) {
+    draw_state.points = point_state(state.point);
+    draw_state.lines = line_state(state.line);
+    draw_state.polygons = polygon_state(state.polygon, draw_state.assembly, depth_matters);
+  }
   if (draw_state.assembly.cull != old_cull) dirty |= dirty_lighting;
 
   const bool old_normals_matter = normals_matter(draw_state.lighting);
@@ -121,7 +130,7 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
 
   if (dirty & dirty_transform) draw_state.transform = transform_state(state, new_normals_matter);
   if (dirty & dirty_viewport) {
-    draw_state.viewport = viewport_state(state, target, draw_state.raster.depth.test_enabled);
+    draw_state.viewport = viewport_state(state, target, depth_matters);
   }
 }
 

@@ -16,7 +16,7 @@ enum DirtyBits : std::uint32_t {
   dirty_viewport = 1u << 1,
   dirty_lighting = 1u << 2,  ///< lights, light model, ColorMaterial, shade model
   dirty_material = 1u << 3,  ///< material parameters alone: these may change inside Begin/End
-  dirty_assembly = 1u << 4,
+  dirty_assembly = 1u << 4,  ///< points, lines, polygons
   dirty_raster = 1u << 5,  ///< scissor, depth, masks
   dirty_all = (1u << 6) - 1,
 };

@@ -51,6 +51,7 @@ struct AttributeGroups {
   PointGroup point;
   LineGroup line;
   PolygonGroup polygon;
+  PolygonStippleGroup polygon_stipple;
   MultisampleGroup multisample;
   ScissorGroup scissor;
   DepthGroup depth;

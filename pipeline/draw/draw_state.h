@@ -133,6 +133,49 @@ struct AssemblyState {
   bool operator==(const AssemblyState&) const = default;
 };
 
+/// Sizes and widths beyond are drawn as this one [GL1.5 §3.3, §3.4.2].
+inline constexpr float most_wide_px = 255.0f;
+
+/// [GL1.5 §3.3], ARB_point_sprite. Sizes are in [1, most_wide_px]; those of plain points without attenuation are whole.
+struct PointState {
+  float size_px = 1.0f;  ///< as drawn; if attenuated: before that, and > 0
+  bool smooth = false;   ///< a disc with the area that it covers of each pixel; never a sprite
+  bool sprite = false;   ///< a square of exactly that size
+  bool attenuated = false;
+  /// Of the distance d from the eye: size / sqrt(a + b d + c d^2), kept in [smallest_px, largest_px]. Initial values
+  /// unless attenuated.
+  glm::vec3 attenuation{1.0f, 0.0f, 0.0f};
+  float smallest_px = 1.0f, largest_px = most_wide_px;
+  bool operator==(const PointState&) const = default;
+};
+
+/// [GL1.5 §3.4].
+struct LineState {
+  float width_px = 1.0f;  ///< in [1, most_wide_px]; whole unless smooth
+  bool smooth = false;    ///< a rectangle with the area that it covers of each pixel
+  std::uint16_t stipple_pattern = 0xFFFF;  ///< bit 0 first; 0xFFFF: not stippled
+  std::int32_t stipple_factor = 1;         ///< in [1, 256]; 1 if not stippled
+  bool operator==(const LineState&) const = default;
+};
+
+/// [GL1.5 §3.5.3, §3.5.5] of filled polygons, and of those drawn as lines and points. Offsets are absent (initial) if
+/// there is no depth, if no face is drawn in a mode that is offset, or if both terms are 0.
+struct PolygonState {
+  bool smooth = false;  ///< polygons that are filled
+  bool offset_fill = false, offset_line = false, offset_point = false;
+  float offset_factor = 0.0f, offset_units = 0.0f;
+  bool operator==(const PolygonState&) const = default;
+};
+
+/// [GL1.5 §3.5.2]. Row r holds the pixels with y mod 32 = r, its bit k those with x mod 32 = k. All zero if not enabled.
+struct PolygonStippleState {
+  bool enabled = false;
+  std::array<std::uint32_t, 32> rows{};
+  bool operator==(const PolygonStippleState& other) const {
+    return enabled == other.enabled && (!enabled || rows == other.rows);
+  }
+};
+
 /// Pixels [x0, x1) x [y0, y1) of the target, y up.
 struct PixelRect {
   std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
@@ -199,6 +242,7 @@ struct RasterState {
   /// `copy` without a logic operation, and on floating-point targets, where it has no meaning. Excludes blending.
   LogicOp logic_op = LogicOp::copy;
   FogState fog{};
+  PolygonStippleState polygon_stipple{};  ///< of filled polygons; not of lines, points and pixel images
   bool operator==(const RasterState&) const = default;
 
   /// Whether fragments need their colour: for the target or for a test.
@@ -222,6 +266,9 @@ struct DrawState {
   ViewportState viewport{};
   LightingState lighting{};
   AssemblyState assembly{};
+  PointState points{};
+  LineState lines{};
+  PolygonState polygons{};
   ClipPlaneState clip_planes{};
   /// Without lighting: whether the secondary colour of the vertices is added (COLOR_SUM) [GL1.5 §3.9].
   bool color_sum = false;

@@ -3,12 +3,15 @@
 #include "pipeline/draw/plan.h"
 
 #include <array>
+#include <cstdio>
 #include <string_view>
 
 #include "pipeline/fragment/alpha.h"
 #include "pipeline/fragment/blend.h"
 #include "pipeline/fragment/color_write.h"
+#include "pipeline/fragment/coverage.h"
 #include "pipeline/fragment/depth.h"
+#include "pipeline/fragment/polygon_stipple.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -68,16 +71,40 @@ std::string describe_blending(const BlendState& blend) {
   return "color " + describe_terms(blend.rgb) + ", alpha " + describe_terms(blend.alpha);
 }
 
+std::string describe_length(float length_px) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", static_cast<double>(length_px));
+  return text.data();
+}
+
+/// A line for each kind of primitive that is not rasterized the plain way.
+void describe_rasterization(const DrawState& state, const Line& line) {
+  if (state.points != PointState{}) {
+    std::string detail = (state.points.sprite ? "sprites of size " : "size ") + describe_length(state.points.size_px);
+    if (state.points.attenuated) detail += ", attenuated";
+    line(state.points.smooth ? "smooth points" : "points", detail, "§3.3");
+  }
+  if (state.lines != LineState{}) {
+    std::string detail = "width " + describe_length(state.lines.width_px);
+    if (state.lines.stipple_pattern != 0xFFFF) detail += ", stippled";
+    line(state.lines.smooth ? "smooth lines" : "lines", detail, "§3.4.2");
+  }
+  if (state.polygons.smooth) line("smooth polygons", "", "§3.5.3");
+  if (state.polygons.offset_fill || state.polygons.offset_line || state.polygons.offset_point) line("polygon offset", "", "§3.5.5");
+}
+
 /// Which vertex stages, and which attributes, does that take?
 void plan_vertices(const DrawState& state, Plan& plan) {
   plan.lighting = plan.colors && state.lighting.enabled;
   plan.vertex_colors = plan.colors && !state.lighting.enabled;
   plan.normals = plan.lighting && state.lighting.light_count > 0;
-  plan.eye_positions = state.report.eye_positions ||
+  plan.eye_positions = state.report.eye_positions || state.points.attenuated ||
                        (plan.lighting && (any_positional(state.lighting) || (plan.normals && state.lighting.local_viewer)));
   if (plan.normals) plan.vertex_demand |= attribute_normal;
   const bool color_material = (state.lighting.color_material_front | state.lighting.color_material_back) != material_none;
   if (plan.vertex_colors || (plan.lighting && color_material)) plan.vertex_demand |= attribute_color;
+  const bool filled = state.assembly.polygon_mode_front == PolygonMode::fill && state.assembly.polygon_mode_back == PolygonMode::fill;
+  if (!filled) plan.vertex_demand |= attribute_edge_flag;
 }
 
 }  // namespace
@@ -106,13 +133,19 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);
   plan.colors = writes_color || plan.alpha_test;
   plan.blends = writes_color && (state.raster.blend.enabled || state.raster.logic_op != LogicOp::copy);
+  plan.polygon_stipple = state.raster.polygon_stipple.enabled;
+  plan.coverage = plan.colors && (state.points.smooth || state.lines.smooth || state.polygons.smooth);
+  if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
   if (plan.alpha_test) plan.fragment.add(color_interpolation_pass());
+  if (plan.alpha_test && plan.coverage) plan.fragment.add(coverage_pass());
   if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
   if (plan.depth) plan.fragment.add(depth_test_pass(state.raster.depth.func, target.depth));
-  if (plan.blends && !plan.alpha_test) plan.fragment.add(color_interpolation_pass());
+  const bool keeps_colors = plan.blends || plan.coverage;  // between interpolation and write
+  if (keeps_colors && !plan.alpha_test) plan.fragment.add(color_interpolation_pass());
+  if (plan.coverage && !plan.alpha_test) plan.fragment.add(coverage_pass());
   plan.writes_color = writes_color;
   if (writes_color) {
-    plan.fragment.add(plan.blends || plan.alpha_test ? blend_pass(state.raster, target.color)
+    plan.fragment.add(keeps_colors || plan.alpha_test ? blend_pass(state.raster, target.color)
                                                      : color_write_pass(target.color, state.raster.color_write_mask));
   }
 
@@ -143,6 +176,9 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   }
   if (state.assembly.cull != CullMode::none) line("cull", "", "§3.5.1");
   line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
+  describe_rasterization(state, line);
+  if (plan.polygon_stipple) line("polygon stipple", "", "§3.5.2");
+  if (plan.coverage) line("coverage", "", "§3.11");
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
   if (plan.depth) {
     std::string detail(compare_names[static_cast<std::size_t>(state.raster.depth.func)]);

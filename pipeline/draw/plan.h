@@ -38,7 +38,9 @@ struct Plan {
   bool colors = false;
   bool depth = false;
 
-  // What becomes of the colours.
+  // What becomes of fragments and their colours.
+  bool polygon_stipple = false;
+  bool coverage = false;  ///< of smooth points, lines or polygons
   bool alpha_test = false;
   bool blends = false;  ///< blending or a logical operation
   bool writes_color = false;

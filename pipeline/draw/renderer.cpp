@@ -58,8 +58,37 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
   setup.colors = plan.colors;
   setup.two_sided = plan.lighting && state.lighting.two_sided;
   setup.separate_specular = plan.lighting && state.lighting.separate_specular;
+  setup.points = state.points;
+  setup.lines = state.lines;
+  setup.polygons = state.polygons;
   setup.targets = {depth_scale(target.depth_format), target.depth_format == DepthFormat::z32f, color_scale(target.color_format)};
   return setup;
+}
+
+/// Where a line that will be clipped would have begun and ended, for the phase of its stipple.
+/// choice: the specification leaves the phase of a clipped line open [GL1.5 §3.4.2]; ours is that of the whole line, as
+/// long as both ends lie in front of the eye. (Mesa starts at the border.)
+struct LineSpan {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool steep() const { return std::abs(y1 - y0) > std::abs(x1 - x0); }
+  static StippleCount rounded(double length) { return static_cast<StippleCount>(std::min(length + 0.5, 1e15)); }
+  StippleCount fragments() const { return rounded(steep() ? std::abs(y1 - y0) : std::abs(x1 - x0)); }
+  StippleCount fragments_to(const WindowVertex& v) const {
+    return std::min(rounded(steep() ? std::abs(v.y_raster - y0) : std::abs(v.x - x0)), fragments());
+  }
+};
+
+LineSpan unclipped_span(const ViewportState& viewport, const ProcessedVertices& vertices, const AssembledLine& line) {
+  std::array<double, 2> x, y;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const auto clip = [&](std::size_t k) { return static_cast<double>(vertices.position_clip[k][line.vertex[i]]); };
+    x[i] = clip(0) / clip(3) * 0.5 * viewport.width_px;
+    y[i] = -clip(1) / clip(3) * 0.5 * viewport.height_px;
+    if (!(clip(3) > 0) || !std::isfinite(x[i]) || !std::isfinite(y[i])) return {};
+    x[i] += viewport.x + 0.5 * viewport.width_px;
+    y[i] += viewport.target_height_px - (viewport.y + 0.5 * viewport.height_px);
+  }
+  return {x[0], y[0], x[1], y[1]};
 }
 
 }  // namespace
@@ -70,9 +99,13 @@ struct Renderer::Implementation {
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
+  void add_smooth_triangle(const WaitingTriangle& triangle);
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
+  void draw_clipped_line(const AssembledLine& line);
+  void draw_smooth_line(const AssembledLine& line);
   void draw_point(const AssembledPoint& point);
+  bool stippled() const { return setup->lines.stipple_pattern != 0xFFFF; }
   void clip_and_draw(const AssembledTriangle& triangle);
   /// Rasterizes what is pending.
   void run_bins() {
@@ -97,6 +130,7 @@ struct Renderer::Implementation {
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
+  StippleCount stipple_count = 0;  ///< goes on where a batch was cut
   ProcessedVertices vertices;
 };
 
@@ -119,8 +153,22 @@ void Renderer::Implementation::flush_triangles() {
   auto* waiting = static_cast<WaitingTriangle*>(bins.allocate(ready.size() * sizeof(WaitingTriangle)));
   const std::size_t selected = select_triangles(*setup, vertices, ready, waiting);
   bins.take_back((ready.size() - selected) * sizeof(WaitingTriangle));
-  for (std::size_t i = 0; i < selected; ++i) bins.add_triangle(waiting[i]);
+  for (std::size_t i = 0; i < selected; ++i) {
+    setup->polygons.smooth ? add_smooth_triangle(waiting[i]) : bins.add_triangle(waiting[i]);
+  }
   ready.clear();
+}
+
+/// choice: the triangles of a quad or polygon are smooth each for itself [GL1.5 §3.5.3]: along their common edges the
+/// shares of both add up to the whole pixel.
+void Renderer::Implementation::add_smooth_triangle(const WaitingTriangle& triangle) {
+  const WaitingTriangle* const one = &triangle;
+  auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
+  setup_triangles({&one, 1}, memory);
+  auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
+  record.shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape(smooth_triangle(triangle));
+  record.scissored = true;
+  bins.add_smooth(record);
 }
 
 /// Polygon modes [GL1.5 §3.5.4]: the face decides between filling, the boundary edges and their vertices.
@@ -132,15 +180,18 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
   flush_triangles();
   const bool back = setup->two_sided && !front;
+  const bool offset = mode == PolygonMode::line ? setup->polygons.offset_line : setup->polygons.offset_point;
+  const double depth_offset = offset ? pipeline::depth_offset(*setup, vertices, triangle) : 0.0;
+  if (!triangle.continues) stipple_count = 0;
   const std::size_t first = mode == PolygonMode::line ? 2 : 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t k = (first + i) % 3;
     if ((triangle.edges >> k & 1) == 0) continue;
     const std::uint16_t from = triangle.vertex[k], to = triangle.vertex[(k + 1) % 3];
     if (mode == PolygonMode::line) {
-      draw_line({{from, to}, triangle.provoking, back});
+      draw_clipped_line({{from, to}, triangle.provoking, back, depth_offset});
     } else {
-      draw_point({from, triangle.provoking, back});
+      draw_point({from, triangle.provoking, back, depth_offset});
     }
   }
 }
@@ -160,26 +211,67 @@ void Renderer::Implementation::clip_and_draw(const AssembledTriangle& triangle) 
 void Renderer::Implementation::draw_line(AssembledLine line) {
   const std::int32_t count = vertices.count;
   const unsigned outcodes = vertices.outcode[line.vertex[0]] | vertices.outcode[line.vertex[1]];
-  if (outcodes == 0 || clip_line(line, viewport, clip_attributes, vertices)) {
-    const std::size_t bytes = record_size(*setup);
-    void* record = bins.allocate(bytes);
-    pixels.clear();
-    if (setup_line(*setup, vertices, line, record, pixels)) {
-      bins.add_pixels(*static_cast<PrimitiveRecord*>(record), pixels, setup->scissor);
-    } else {
-      bins.take_back(bytes);
+  if (outcodes == 0) {
+    draw_clipped_line(line);
+  } else {
+    const AssembledLine whole = line;
+    const StippleCount before = stipple_count;
+    const LineSpan span = stippled() ? unclipped_span(viewport, vertices, whole) : LineSpan{};
+    if (clip_line(line, viewport, clip_attributes, vertices)) {
+      stipple_count += span.fragments_to(vertices.window[line.vertex[0]]);
+      draw_clipped_line(line);
     }
+    stipple_count = before + span.fragments();
   }
   vertices.count = count;
 }
 
+/// A line inside the clip volume.
+void Renderer::Implementation::draw_clipped_line(const AssembledLine& line) {
+  if (setup->lines.smooth) return draw_smooth_line(line);
+  const std::size_t bytes = record_size(*setup);
+  void* memory = bins.allocate(bytes);
+  const auto& record = *static_cast<PrimitiveRecord*>(memory);
+  pixels.clear();
+  switch (setup_line(*setup, vertices, line, stipple_count, memory, pixels)) {
+    case LinePixels::none: bins.take_back(bytes); break;
+    case LinePixels::edges: bins.add_polygon(record); break;
+    case LinePixels::list: bins.add_pixels(record, pixels, setup->scissor); break;
+  }
+}
+
+/// Whole, or the stretches of unit rectangles that the stipple keeps [GL1.5 §3.4.2].
+/// choice: neighbours make one rectangle, as they do without a stipple.
+void Renderer::Implementation::draw_smooth_line(const AssembledLine& line) {
+  const auto draw_stretch = [&](double begin, double end) {
+    auto* shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape;
+    void* memory = bins.allocate(record_size(*setup));
+    if (setup_smooth_line(*setup, vertices, line, begin, end, memory, *shape)) {
+      bins.add_smooth(*static_cast<PrimitiveRecord*>(memory));
+    }
+  };
+  const double length = length_of(vertices, line);
+  if (!stippled()) return draw_stretch(0.0, length);
+  const auto rectangles = static_cast<StippleCount>(std::ceil(length));
+  for (StippleCount i = 0; i < rectangles;) {
+    StippleCount end = i;
+    while (end < rectangles && stipple_keeps(setup->lines, stipple_count + end)) ++end;
+    if (end > i) draw_stretch(static_cast<double>(i), std::min(static_cast<double>(end), length));
+    i = end + 1;
+  }
+  stipple_count += rectangles;
+}
+
 void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   if (vertices.outcode[point.vertex] != 0) return;
-  PixelPosition pixel;
-  void* record = bins.allocate(record_size(*setup));
-  if (setup_point(*setup, vertices, point, record, pixel)) {
-    bins.add_pixels(*static_cast<PrimitiveRecord*>(record), {&pixel, 1}, setup->scissor);
-  }
+  const auto& eye = vertices.position_eye;
+  const float size_px = derived_point_size(setup->points, eye[0][point.vertex], eye[1][point.vertex], eye[2][point.vertex]);
+  auto* shape = setup->points.smooth ? new (bins.allocate(sizeof(SmoothShape))) SmoothShape : nullptr;
+  const std::size_t bytes = record_size(*setup);
+  void* memory = bins.allocate(bytes);
+  if (!setup_point(*setup, vertices, point, size_px, memory, shape)) return bins.take_back(bytes);
+  const auto& record = *static_cast<PrimitiveRecord*>(memory);
+  shape != nullptr ? bins.add_smooth(record) : bins.add_polygon(record);
 }
 
 Renderer::Renderer(int thread_count) : implementation_(std::make_unique<Implementation>(thread_count)) {}
@@ -224,6 +316,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
     self.assembled.points.clear();
     // choice: quads that are not filled are split like flat ones, as Mesa does: their edges then come in order.
     assemble(range, self.unfilled ? ShadeModel::flat : state.assembly.shade_model, self.assembled);
+    if (self.unfilled) apply_edge_flags(range, batch.edge_flag.data(), self.assembled.triangles);
     for (const AssembledTriangle& triangle : self.assembled.triangles) {
       const auto& outcode = self.vertices.outcode;
       const unsigned outside = outcode[triangle.vertex[0]] | outcode[triangle.vertex[1]] | outcode[triangle.vertex[2]];
@@ -234,7 +327,13 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
       }
     }
     self.flush_triangles();
-    for (const AssembledLine& line : self.assembled.lines) self.draw_line(line);
+    // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
+    const bool independent = range.mode == PrimitiveMode::lines;
+    if (range.begins) self.stipple_count = 0;
+    for (const AssembledLine& line : self.assembled.lines) {
+      if (independent) self.stipple_count = 0;
+      self.draw_line(line);
+    }
     for (const AssembledPoint& point : self.assembled.points) self.draw_point(point);
   }
   if (self.bins.full()) self.run_bins();

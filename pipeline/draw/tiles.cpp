@@ -9,6 +9,7 @@
 #endif
 
 #include "pipeline/framebuffer/clear.h"
+#include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -139,6 +140,14 @@ void TileBins::add_polygon(const PrimitiveRecord& record) {
   }
 }
 
+void TileBins::add_smooth(const PrimitiveRecord& record) {
+  for (std::int32_t y = record.y0 / tile_size; y <= (record.y1 - 1) / tile_size; ++y) {
+    for (std::int32_t x = record.x0 / tile_size; x <= (record.x1 - 1) / tile_size; ++x) {
+      add(y * target_->tiles_x + x, {&record, nullptr, 0, EntryKind::smooth});
+    }
+  }
+}
+
 void TileBins::flush_block_list(const PrimitiveRecord& record, std::int32_t tile) {
   if (block_list_.empty()) return;
   const std::size_t bytes = block_list_.size() * sizeof(BlockMask);
@@ -227,6 +236,7 @@ void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
     switch (entry.kind) {
       case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
+      case EntryKind::smooth: rasterize_smooth(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
       case EntryKind::triangle: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
       case EntryKind::blocks: {
         FragmentBlock block;

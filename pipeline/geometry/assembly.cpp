@@ -1,7 +1,7 @@
 // Takes a range of vertices, gives its primitives [GL1.5 §2.6.1].
 //
 // A range that continues an earlier one yields what the uncut primitive would have yielded there: see PrimitiveRange
-// for the vertices it repeats. Edge flags (EdgeFlag) are left out: `edges` knows the decomposition alone.
+// for the vertices it repeats. `edges` knows the decomposition alone; apply_edge_flags() adds what the application says.
 #include "pipeline/geometry/assembly.h"
 
 #include <cstddef>
@@ -24,9 +24,9 @@ struct Indices {
   std::int32_t first;
   std::uint16_t operator()(std::int32_t i) const { return static_cast<std::uint16_t>(first + i); }
   AssembledTriangle triangle(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t provoking,
-                             std::uint8_t edges) const {
+                             std::uint8_t edges, bool continues = false) const {
     const Indices& at = *this;
-    return {{at(a), at(b), at(c)}, at(provoking), edges};
+    return {{at(a), at(b), at(c)}, at(provoking), edges, continues};
   }
   AssembledLine line(std::int32_t a, std::int32_t b) const { return {{(*this)(a), (*this)(b)}, (*this)(b), false}; }
 };
@@ -75,10 +75,10 @@ void assemble_quads(Indices at, std::int32_t count, ShadeModel shade_model, std:
     const std::int32_t last = i + 3;
     if (shade_model == ShadeModel::smooth) {
       *triangle++ = at.triangle(i, i + 1, i + 2, last, edge_01 | edge_12);
-      *triangle++ = at.triangle(i, i + 2, i + 3, last, edge_12 | edge_20);
+      *triangle++ = at.triangle(i, i + 2, i + 3, last, edge_12 | edge_20, true);
     } else {
       *triangle++ = at.triangle(i, i + 1, i + 3, last, edge_01 | edge_20);
-      *triangle++ = at.triangle(i + 1, i + 2, i + 3, last, edge_01 | edge_12);
+      *triangle++ = at.triangle(i + 1, i + 2, i + 3, last, edge_01 | edge_12, true);
     }
   }
 }
@@ -88,7 +88,7 @@ void assemble_quad_strip(Indices at, std::int32_t count, std::vector<AssembledTr
   AssembledTriangle* triangle = append(out, count < 4 ? 0 : (count - 2) / 2 * 2);
   for (std::int32_t i = 0; i + 3 < count; i += 2) {
     *triangle++ = at.triangle(i, i + 1, i + 3, i + 3, edge_01 | edge_12);
-    *triangle++ = at.triangle(i, i + 3, i + 2, i + 3, edge_12 | edge_20);
+    *triangle++ = at.triangle(i, i + 3, i + 2, i + 3, edge_12 | edge_20, true);
   }
 }
 
@@ -98,12 +98,23 @@ void assemble_polygon(Indices at, const PrimitiveRange& range, std::vector<Assem
   if (range.count < 3) return;
   const std::size_t size = out.size();
   AssembledTriangle* triangle = append(out, range.count - 2);
-  for (std::int32_t i = 2; i < range.count; ++i) *triangle++ = at.triangle(i - 1, i, 0, 0, edge_01);
+  for (std::int32_t i = 2; i < range.count; ++i) {
+    *triangle++ = at.triangle(i - 1, i, 0, 0, edge_01, i > 2 || !range.begins);
+  }
   if (range.begins) out[size].edges |= edge_20;
   if (range.ends) out.back().edges |= edge_12;
 }
 
 }  // namespace
+
+void apply_edge_flags(const PrimitiveRange& range, const std::uint8_t* edge_flag, std::vector<AssembledTriangle>& triangles) {
+  if (range.mode != PrimitiveMode::triangles && range.mode != PrimitiveMode::quads && range.mode != PrimitiveMode::polygon) return;
+  for (AssembledTriangle& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (edge_flag[triangle.vertex[i]] == 0) triangle.edges &= static_cast<std::uint8_t>(~(1u << i));
+    }
+  }
+}
 
 void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrimitives& out) {
   const Indices at{range.first};

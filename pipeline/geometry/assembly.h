@@ -1,6 +1,7 @@
 // Vertices to points, lines and triangles [GL1.5 §2.6.1].
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "pipeline/draw/draw_state.h"
@@ -22,5 +23,9 @@ struct AssembledPrimitives {
 /// choice: smooth quads split into (0,1,2)+(0,2,3), flat ones into (0,1,3)+(1,2,3), as Mesa does in the plain case of
 /// each (MESA-RULES 2.5); quad strips along the diagonal from first to last vertex; polygons into a fan (i-1, i, 0).
 void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrimitives& out);
+
+/// Takes the edges that begin at vertices with edge flag 0 from the boundary of the range's separate triangles, quads and
+/// polygons; those of strips and fans all are boundary edges [GL1.5 §2.6.2]. (Mesa: flags of strips and fans count too.)
+void apply_edge_flags(const PrimitiveRange& range, const std::uint8_t* edge_flag, std::vector<AssembledTriangle>& triangles);
 
 }  // namespace gouraud::pipeline

@@ -180,13 +180,15 @@ std::uint16_t Line::add_vertex_at(std::uint32_t plane, const ClipAttributes& att
 }
 
 /// The clipped polygon as a fan; the edges inside it are no boundary.
-void emit_fan(const Polygon& polygon, std::uint16_t provoking, std::vector<AssembledTriangle>& out) {
+void emit_fan(const Polygon& polygon, const AssembledTriangle& whole, std::vector<AssembledTriangle>& out) {
   for (std::size_t i = 2; i < polygon.size; ++i) {
     const bool first = i == 2, last = i == polygon.size - 1;
     const unsigned edges = (polygon.boundary[i - 1] ? 1u : 0u) | (last && polygon.boundary[i] ? 2u : 0u) |
                            (first && polygon.boundary[0] ? 4u : 0u);
-    out.push_back(
-        {{polygon.vertex[i - 1], polygon.vertex[i], polygon.vertex[0]}, provoking, static_cast<std::uint8_t>(edges)});
+    out.push_back({{polygon.vertex[i - 1], polygon.vertex[i], polygon.vertex[0]},
+                   whole.provoking,
+                   static_cast<std::uint8_t>(edges),
+                   whole.continues || !first});
   }
 }
 
@@ -207,7 +209,7 @@ void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewp
     if (index >= count) drawable = project_vertex(viewport, vertices, index);
   }
   if (drawable) {
-    emit_fan(polygon, triangle.provoking, out);
+    emit_fan(polygon, triangle, out);
   } else {
     vertices.count = count;
   }

@@ -63,17 +63,21 @@ struct AssembledTriangle {
   std::array<std::uint16_t, 3> vertex{};
   std::uint16_t provoking = 0;
   std::uint8_t edges = 7;
+  bool continues = false;  ///< another part of the same polygon came right before
 };
-/// For a line or point made from a polygon (polygon mode), `back` selects the back-facing colours.
+/// For a line or point made from a polygon (polygon mode), `back` selects the back-facing colours and
+/// `depth_offset` is the polygon's, in units of the depth buffer.
 struct AssembledLine {
   std::array<std::uint16_t, 2> vertex{};
   std::uint16_t provoking = 0;
   bool back = false;
+  double depth_offset = 0;
 };
 struct AssembledPoint {
   std::uint16_t vertex = 0;
   std::uint16_t provoking = 0;  ///< == vertex, except for the points of flat-shaded polygons
   bool back = false;
+  double depth_offset = 0;
 };
 
 }  // namespace gouraud::pipeline

@@ -1,76 +1,19 @@
-// Lines of width 1 and points of size 1 [GL1.5 §3.4.1, §3.3]: they list their pixels, triangles do not.
-//
-// A line makes the fragment of every diamond |x - xc| + |y - yc| < 1/2 that it touches, except the one that its end
-// lies in. For a line more horizontal than vertical that is one pixel in every column whose centre it crosses, plus
-// the start's diamond, less the end's. Both end points count as moved by (-eps, -eps^2), which decides all ties.
+// Lines and points to records [GL1.5 §3.3, §3.4]: where they cover pixels (line_coverage.h, a box, a smooth shape), and
+// how depth and colour vary along a line. Points are the same all over.
+#include <algorithm>
 #include <cmath>
 #include <new>
-#include <optional>
 
 #include "pipeline/raster/setup.h"
+#include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
 namespace {
 
-constexpr std::int64_t half_pixel = subpixels / 2;
-
-/// A position in 1/256 pixel, y up; pixel centres lie at multiples of 256.
-struct SubpixelPoint {
-  std::int64_t x = 0, y = 0;
-};
-
 std::int64_t snap(float coordinate) { return std::lrintf((coordinate - 0.5f) * subpixels); }
 
-std::int64_t floor_divide(std::int64_t numerator, std::int64_t positive) {
-  const std::int64_t quotient = numerator / positive;
-  return quotient - (numerator % positive < 0 ? 1 : 0);
-}
-
-/// The pixel whose diamond holds the point moved by (-eps, -eps^2), if any.
-std::optional<PixelPosition> diamond_around(SubpixelPoint p) {
-  const std::int64_t i = floor_divide(p.x + half_pixel, subpixels), j = floor_divide(p.y + half_pixel, subpixels);
-  const std::int64_t dx = p.x - i * subpixels, dy = p.y - j * subpixels;
-  const std::int64_t distance = std::abs(dx) + std::abs(dy);
-  const PixelPosition pixel{static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)};
-  // On the boundary the shift leads inside from the right. (dx = 128 was rounded into the next pixel, as dx = -128:
-  // from that pixel's right corner the shift leads inside the left neighbour.)
-  if (distance < half_pixel || (distance == half_pixel && dx > 0)) return pixel;
-  if (dx == -half_pixel && dy == 0) return PixelPosition{pixel.x - 1, pixel.y};
-  return std::nullopt;
-}
-
-/// Appends the pixels of the line from a to b, in order.
-void walk(SubpixelPoint a, SubpixelPoint b, std::vector<PixelPosition>& pixels) {
-  const std::optional<PixelPosition> start = diamond_around(a), end = diamond_around(b);
-  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-  const auto major = [steep](SubpixelPoint p) { return steep ? p.y : p.x; };
-  const auto minor = [steep](SubpixelPoint p) { return steep ? p.x : p.y; };
-  const std::int64_t length = std::abs(major(b) - major(a));
-  const std::int64_t direction = major(b) > major(a) ? 1 : -1;
-  const std::int64_t rise = minor(b) - minor(a);
-
-  // At the centre of column i the line's height is minor(a) + rise * direction * (256 i - major(a)) / length; the shift
-  // moves a height on the border between two pixels up if the line rises to the right, and down otherwise. In rows
-  // (steep lines) it moves it left.
-  const bool border_goes_up = !steep && rise * direction > 0;
-  const std::int64_t first = floor_divide(std::min(major(a), major(b)) + subpixels - 1, subpixels);
-  const std::int64_t count = floor_divide(std::max(major(a), major(b)) + subpixels - 1, subpixels) - first;
-  const auto pixel_at = [&](std::int64_t column) {
-    const std::int64_t numerator = (minor(a) + half_pixel) * length + rise * direction * (column * subpixels - major(a));
-    const std::int64_t row = floor_divide(numerator - (border_goes_up ? 0 : 1), subpixels * length);
-    const auto i = static_cast<std::int32_t>(column), j = static_cast<std::int32_t>(row);
-    return steep ? PixelPosition{j, i} : PixelPosition{i, j};
-  };
-
-  const auto ends_in = [&](PixelPosition pixel) { return end && *end == pixel; };
-  const bool starts_in_diamond = start && !ends_in(*start);
-  if (starts_in_diamond && (count == 0 || !(*start == pixel_at(direction > 0 ? first : first + count - 1)))) {
-    pixels.push_back(*start);
-  }
-  for (std::int64_t k = 0; k < count; ++k) {
-    const PixelPosition pixel = pixel_at(direction > 0 ? first + k : first + count - 1 - k);
-    if (!ends_in(pixel)) pixels.push_back(pixel);
-  }
+PixelRect intersection(const PixelRect& a, const PixelRect& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
 PrimitiveRecord& new_record(const SetupState& state, void* memory) {
@@ -79,19 +22,29 @@ PrimitiveRecord& new_record(const SetupState& state, void* memory) {
   return record;
 }
 
-}  // namespace
+/// Moves all depths, as far as there are depths. What lies beyond the ends of a line is extrapolated.
+void offset_depth(double offset, const PlaneTargets& targets, DepthPlane& depth) {
+  depth.origin += offset;
+  depth.minimum = 0;
+  depth.maximum = static_cast<float>(targets.depth_scale);
+}
 
-bool setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, void* memory,
-                std::vector<PixelPosition>& pixels) {
+/// Gives the record its box. False if that is empty.
+bool set_box(const SetupState& state, const PixelRect& box, PrimitiveRecord& record) {
+  const PixelRect cut = intersection(box, state.scissor);
+  record.x0 = cut.x0;
+  record.y0 = cut.y0;
+  record.x1 = cut.x1;
+  record.y1 = cut.y1;
+  record.scissored = true;
+  return !cut.empty();
+}
+
+/// A line's depth and colour: they vary along the line by t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.3].
+PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
+                                   void* memory) {
   const WindowVertex& v0 = vertices.window[line.vertex[0]];
   const WindowVertex& v1 = vertices.window[line.vertex[1]];
-  const std::int64_t top = (static_cast<std::int64_t>(state.target_height_px) - 1) * subpixels;
-  const SubpixelPoint a{snap(v0.x), top - snap(v0.y_raster)}, b{snap(v1.x), top - snap(v1.y_raster)};
-  if (a.x == b.x && a.y == b.y) return false;
-  walk(a, b, pixels);
-  if (pixels.empty()) return false;
-
-  // Attributes vary along the line: t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.3].
   PrimitiveRecord& record = new_record(state, memory);
   const double height = state.target_height_px;
   const Point2 p0{v0.x, height - v0.y_raster}, p1{v1.x, height - v1.y_raster};
@@ -100,15 +53,13 @@ bool setup_line(const SetupState& state, const ProcessedVertices& vertices, cons
   const GradientBasis basis{p0, {dx * scale, dy * scale}, {0, 0}};
   std::array<ShadedVertex, 3> shaded{ShadedVertex{&v0, {}}, ShadedVertex{&v1, {}}, ShadedVertex{&v1, {}}};
   record.depth = make_depth_plane(basis, shaded, state.targets);
-  // End pixels' centres may lie beyond the end points; the specification extrapolates there.
-  record.depth.minimum = 0;
-  record.depth.maximum = static_cast<float>(state.targets.depth_scale);
-  if (!state.colors) return true;
+  offset_depth(line.depth_offset, state.targets, record.depth);
+  if (!state.colors) return record;
 
   ColorRecord& color = reinterpret_cast<ColoredPrimitive*>(memory)->color;
   if (state.flat) {
     make_constant_color(color_of_vertex(state, vertices, line.provoking, line.back), state.targets, color);
-    return true;
+    return record;
   }
   shaded[0].color = color_of_vertex(state, vertices, line.vertex[0], line.back);
   shaded[1].color = shaded[2].color = color_of_vertex(state, vertices, line.vertex[1], line.back);
@@ -120,27 +71,139 @@ bool setup_line(const SetupState& state, const ProcessedVertices& vertices, cons
     color.minimum.fill(0.0f);
     color.maximum.fill(state.targets.color_scale);
   }
-  return true;
+  return record;
 }
 
-bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, void* memory,
-                 PixelPosition& pixel) {
+PrimitiveRecord& write_point_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point,
+                                    void* memory) {
   const WindowVertex& vertex = vertices.window[point.vertex];
-  const auto round_away = [](float coordinate) {
-    const float scaled = coordinate * subpixels;
-    return static_cast<std::int64_t>(std::floor(std::abs(scaled) + 0.5f)) * (scaled < 0 ? -1 : 1);
-  };
-  const std::int64_t x = round_away(vertex.x);
-  const std::int64_t y = static_cast<std::int64_t>(state.target_height_px) * subpixels - round_away(vertex.y_raster);
-  pixel = {static_cast<std::int32_t>(floor_divide(x, subpixels)), static_cast<std::int32_t>(floor_divide(y, subpixels))};
-
   PrimitiveRecord& record = new_record(state, memory);
   const std::array<ShadedVertex, 3> shaded{ShadedVertex{&vertex, {}}, ShadedVertex{&vertex, {}}, ShadedVertex{&vertex, {}}};
   record.depth = make_depth_plane({}, shaded, state.targets);
+  offset_depth(point.depth_offset, state.targets, record.depth);
   if (state.colors) {
     make_constant_color(color_of_vertex(state, vertices, state.flat ? point.provoking : point.vertex, point.back),
                         state.targets, reinterpret_cast<ColoredPrimitive*>(memory)->color);
   }
+  return record;
+}
+
+/// Lists the pixels of the columns that the stipple keeps, and counts all columns.
+void list_pixels(const LineState& lines, const LineCoverage& coverage, StippleCount& count,
+                 std::vector<PixelPosition>& pixels) {
+  std::vector<PixelPosition> columns;
+  coverage.list_columns(columns);
+  for (const PixelPosition& lowest : columns) {
+    if (stipple_keeps(lines, count++)) coverage.list_column(lowest, pixels);
+  }
+}
+
+/// A half-open range of pixels of this length around a position in 1/256 pixel.
+struct Range {
+  std::int32_t begin, end;
+};
+Range pixels_around(std::int64_t position, std::int32_t size) {
+  const std::int64_t first = size % 2 != 0 ? (position >> subpixel_bits) - size / 2
+                                           : ((position + subpixels / 2) >> subpixel_bits) - size / 2;
+  return {static_cast<std::int32_t>(first), static_cast<std::int32_t>(first + size)};
+}
+
+PixelRect box_of_point(const SetupState& state, const WindowVertex& vertex, float size_px) {
+  const auto round_away = [](float coordinate) {
+    const float scaled = coordinate * subpixels;
+    return static_cast<std::int64_t>(std::floor(std::abs(scaled) + 0.5f)) * (scaled < 0 ? -1 : 1);
+  };
+  const std::int32_t size = std::max(static_cast<std::int32_t>(std::ceil(size_px - 0.5f)), 1);
+  const Range columns = pixels_around(round_away(vertex.x), size);
+  const std::int64_t height = static_cast<std::int64_t>(state.target_height_px) * subpixels;
+  const Range rows = pixels_around(height - round_away(vertex.y_raster), size);
+  return {columns.begin, rows.begin, columns.end, rows.end};
+}
+
+/// As a filled square would be: left and bottom edges own the samples on them.
+PixelRect box_of_sprite(const SetupState& state, const WindowVertex& vertex, float size_px) {
+  const float half = 0.5f * size_px;
+  const auto first_sample = [](std::int64_t edge) { return static_cast<std::int32_t>((edge + subpixels - 1) >> subpixel_bits); };
+  const std::int64_t top = (static_cast<std::int64_t>(state.target_height_px) - 1) * subpixels;
+  return {first_sample(snap(vertex.x - half)), first_sample(top - snap(vertex.y_raster + half)),
+          first_sample(snap(vertex.x + half)), first_sample(top - snap(vertex.y_raster - half))};
+}
+
+}  // namespace
+
+LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
+                      StippleCount& count, void* memory, std::vector<PixelPosition>& pixels) {
+  const WindowVertex& v0 = vertices.window[line.vertex[0]];
+  const WindowVertex& v1 = vertices.window[line.vertex[1]];
+  const std::int64_t top = (static_cast<std::int64_t>(state.target_height_px) - 1) * subpixels;
+  const SubpixelPoint a{snap(v0.x), top - snap(v0.y_raster)}, b{snap(v1.x), top - snap(v1.y_raster)};
+  if (a == b) return LinePixels::none;
+  const LineCoverage coverage(a, b, static_cast<std::int32_t>(state.lines.width_px));
+  if (state.lines.stipple_pattern != 0xFFFF || !coverage.is_simple()) {
+    list_pixels(state.lines, coverage, count, pixels);
+    if (pixels.empty()) return LinePixels::none;
+    write_line_record(state, vertices, line, memory);
+    return LinePixels::list;
+  }
+  const PixelRect box = coverage.box();
+  if (intersection(box, state.scissor).empty()) return LinePixels::none;
+  PrimitiveRecord& record = write_line_record(state, vertices, line, memory);
+  set_box(state, box, record);
+  const auto edges = coverage.edges();
+  record.edges = {edges[0], edges[1], {}};
+  return LinePixels::edges;
+}
+
+double length_of(const ProcessedVertices& vertices, const AssembledLine& line) {
+  const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
+  const double dx = static_cast<double>(v1.x) - v0.x, dy = static_cast<double>(v1.y_raster) - v0.y_raster;
+  return std::sqrt(dx * dx + dy * dy);
+}
+
+bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
+                       double end, void* memory, SmoothShape& shape) {
+  const double length = length_of(vertices, line);
+  if (!(length > 0)) return false;
+  const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
+  const double along_x = (static_cast<double>(v1.x) - v0.x) / length;
+  const double along_y = (static_cast<double>(v0.y_raster) - v1.y_raster) / length;
+  const double x = v0.x, y = static_cast<double>(state.target_height_px) - v0.y_raster, half = 0.5 * state.lines.width_px;
+  const auto corner = [&](double along, double across) {
+    return SmoothShape::Corner{x + along_x * along - along_y * across, y + along_y * along + along_x * across};
+  };
+  shape = {{corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)}, 4, 0.0};
+  const PixelRect box = box_of(shape);
+  if (intersection(box, state.scissor).empty()) return false;
+  PrimitiveRecord& record = write_line_record(state, vertices, line, memory);
+  set_box(state, box, record);
+  record.shape = &shape;
+  return true;
+}
+
+float derived_point_size(const PointState& points, float x, float y, float z) {
+  if (!points.attenuated) return points.size_px;
+  const double squared = (static_cast<double>(x) * x + static_cast<double>(y) * y) + static_cast<double>(z) * z;
+  const double divisor = (static_cast<double>(points.attenuation.x) + points.attenuation.y * std::sqrt(squared)) +
+                         points.attenuation.z * squared;
+  const auto size = static_cast<float>(points.size_px * std::sqrt(1.0 / divisor));
+  // Written so that what is no number becomes the smallest size.
+  return size > points.smallest_px ? std::min(size, points.largest_px) : points.smallest_px;
+}
+
+bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, float size_px,
+                 void* memory, SmoothShape* shape) {
+  const WindowVertex& vertex = vertices.window[point.vertex];
+  PixelRect box;
+  if (state.points.smooth) {
+    *shape = {{SmoothShape::Corner{vertex.x, static_cast<double>(state.target_height_px) - vertex.y_raster}}, 0, 0.5 * size_px};
+    box = box_of(*shape);
+  } else {
+    box = state.points.sprite ? box_of_sprite(state, vertex, size_px) : box_of_point(state, vertex, size_px);
+  }
+  if (intersection(box, state.scissor).empty()) return false;
+  PrimitiveRecord& record = write_point_record(state, vertices, point, memory);
+  set_box(state, box, record);
+  if (state.points.smooth) record.shape = shape;
   return true;
 }
 

@@ -19,9 +19,17 @@ std::vector<PixelPosition> pixels_of(float x0, float y0, float x1, float y1) {
   vertices->window[1] = {x1, static_cast<float>(height) - y1, 0.5f, 1};
   SetupState state;
   state.target_height_px = height;
+  state.scissor = {-64, -64, 128, 128};
   PrimitiveRecord record;
   std::vector<PixelPosition> pixels;
-  setup_line(state, *vertices, {{0, 1}, 1, false}, &record, pixels);
+  StippleCount count = 0;
+  if (setup_line(state, *vertices, {{0, 1}, 1, false}, count, &record, pixels) != LinePixels::edges) return pixels;
+  for (std::int32_t y = record.y0; y < record.y1; ++y) {
+    for (std::int32_t x = record.x0; x < record.x1; ++x) {
+      const auto inside = [&](const EdgeFunction& e) { return e.c + e.a * x + e.b * y >= 0; };
+      if (std::all_of(record.edges.begin(), record.edges.end(), inside)) pixels.push_back({x, y});
+    }
+  }
   return pixels;
 }
 
@@ -108,10 +116,71 @@ TEST(Point, LandsInThePixelThatHoldsItsRoundedPosition) {
   SetupState state;
   state.target_height_px = height;
   PrimitiveRecord record;
-  PixelPosition pixel;
+  state.scissor = {0, 0, 64, 64};
   vertices->window[0] = {10.999f, static_cast<float>(height) - 20.25f, 0.5f, 1};
-  ASSERT_TRUE(setup_point(state, *vertices, {0, 0, false}, &record, pixel));
-  EXPECT_EQ(pixel, (PixelPosition{11, 20}));
+  ASSERT_TRUE(setup_point(state, *vertices, {0, 0, false}, 1.0f, &record, nullptr));
+  EXPECT_EQ((PixelRect{record.x0, record.y0, record.x1, record.y1}), (PixelRect{11, 20, 12, 21}));
+}
+
+TEST(Point, OfEvenSizeIsCentredOnTheNearestCorner) {
+  const auto vertices = std::make_unique<ProcessedVertices>();
+  SetupState state;
+  state.target_height_px = height;
+  state.scissor = {0, 0, 64, 64};
+  PrimitiveRecord record;
+  vertices->window[0] = {10.4f, static_cast<float>(height) - 20.6f, 0.5f, 1};
+  ASSERT_TRUE(setup_point(state, *vertices, {0, 0, false}, 2.5f, &record, nullptr));
+  EXPECT_EQ((PixelRect{record.x0, record.y0, record.x1, record.y1}), (PixelRect{9, 20, 11, 22}));
+}
+
+TEST(Point, IsAttenuatedByItsDistanceFromTheEye) {
+  PointState points;
+  points.size_px = 20;
+  points.attenuated = true;
+  points.attenuation = {0, 0, 0.25f};
+  EXPECT_FLOAT_EQ(derived_point_size(points, 0, 3, -4), 8.0f);
+  points.smallest_px = 9;
+  EXPECT_FLOAT_EQ(derived_point_size(points, 0, 3, -4), 9.0f);
+  points.attenuation = {0, 0, -1};
+  EXPECT_FLOAT_EQ(derived_point_size(points, 0, 3, -4), 9.0f) << "no number";
+}
+
+std::vector<PixelPosition> columns_of(const LineCoverage& coverage, int width) {
+  std::vector<PixelPosition> columns, pixels;
+  coverage.list_columns(columns);
+  for (const PixelPosition& lowest : columns) coverage.list_column(lowest, pixels);
+  EXPECT_EQ(pixels.size(), columns.size() * static_cast<std::size_t>(width));
+  return pixels;
+}
+
+TEST(LineCoverage, EdgesAndBoxHoldExactlyTheListedPixels) {
+  std::mt19937 random(3);
+  int simple = 0;
+  const auto order = [](const PixelPosition& a, const PixelPosition& b) { return a.y != b.y ? a.y < b.y : a.x < b.x; };
+  for (int i = 0; i < 20000; ++i) {
+    const std::int64_t grid = i % 4 == 0 ? 64 : i % 4 == 1 ? 128 : 1;  // every tie, and generic places
+    const auto place = [&] { return static_cast<std::int64_t>(random() % (24 * 256)) / grid * grid; };
+    const SubpixelPoint a{place(), place()};
+    const SubpixelPoint b = i % 3 == 0 ? SubpixelPoint{a.x + place() / 16 / grid * grid, a.y + place() / 16 / grid * grid}
+                                       : SubpixelPoint{place(), place()};
+    if (a == b) continue;
+    const int width = i % 5 + 1;
+    const LineCoverage coverage(a, b, width);
+    if (!coverage.is_simple()) continue;
+    ++simple;
+    std::vector<PixelPosition> listed = columns_of(coverage, width), inside;
+    const auto edges = coverage.edges();
+    const PixelRect box = coverage.box();
+    for (std::int32_t y = box.y0; y < box.y1; ++y) {
+      for (std::int32_t x = box.x0; x < box.x1; ++x) {
+        const auto covers = [&](const EdgeFunction& e) { return e.c + e.a * x + e.b * y >= 0; };
+        if (covers(edges[0]) && covers(edges[1])) inside.push_back({x, y});
+      }
+    }
+    std::ranges::sort(listed, order);
+    ASSERT_EQ(listed, inside) << a.x << "," << a.y << " - " << b.x << "," << b.y << " width " << width;
+  }
+  EXPECT_GT(simple, 19000);
 }
 
 }  // namespace

@@ -37,9 +37,16 @@ inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;
 static_assert(64LL * 2 * ((16384LL << subpixel_bits) + 1) < (1LL << 31), "an edge's values inside a tile fit int32");
 
-enum class Coverage : std::uint8_t {
-  edges,       ///< the pixels inside three edge functions
-  block_list,  ///< the bin entry lists blocks and masks
+/// Where a smooth primitive lies, in window space: what it covers of a pixel is the area that both share
+/// [GL1.5 §3.3.1, §3.4.2, §3.5.3].
+struct SmoothShape {
+  struct Corner {
+    double x = 0, y = 0;
+  };
+  /// Of a triangle or a rectangle, in order; of a disc the first is the centre.
+  std::array<Corner, 4> corner{};
+  std::int32_t corner_count = 0;  ///< 0: a disc
+  double radius = 0;
 };
 
 /// How colour varies over the primitive.
@@ -56,7 +63,9 @@ struct alignas(64) PrimitiveRecord {
   std::array<EdgeFunction, 3> edges{};
   std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
   bool scissored = false;  ///< the scissor cuts the edges' box: block masks are cut to the box above
+  bool is_polygon = false; ///< filled: the polygon stipple applies
   DepthPlane depth{};
+  const SmoothShape* shape = nullptr;  ///< null: not smooth
 };
 
 /// Follows the PrimitiveRecord in memory if the plan interpolates colours; setup fills what the variation needs. Colour is

@@ -11,6 +11,7 @@
 
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/geometry/processed_vertices.h"
+#include "pipeline/raster/line_coverage.h"
 #include "pipeline/raster/planes.h"
 #include "pipeline/raster/primitive.h"
 
@@ -28,6 +29,9 @@ struct SetupState {
   bool two_sided = false;          ///< back faces take color_back
   bool separate_specular = false;  ///< the secondary colour is added here: without texture the sum is linear
   PlaneTargets targets{};
+  PointState points{};
+  LineState lines{};
+  PolygonState polygons{};
   bool operator==(const SetupState&) const = default;
 };
 
@@ -77,21 +81,55 @@ bool faces_front(const SetupState& state, const ProcessedVertices& vertices, con
 /// True if CullFace removes such a face.
 bool is_culled(CullMode cull, bool front);
 
-/// A fragment on its own, for primitives that are walked pixel by pixel.
-struct PixelPosition {
-  std::int32_t x = 0, y = 0;
-  bool operator==(const PixelPosition&) const = default;
+/// What PolygonOffset adds to the depths of this triangle, in buffer units [GL1.5 §3.5.5 eq 3.9]: for triangles that are
+/// drawn as lines or points.
+double depth_offset(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle);
+
+/// The offset in buffer units of a triangle with these slopes (in buffer units a pixel) and largest depth; at most the
+/// whole range of depths.
+/// choice: m is the larger of both slopes (eq 3.8). r is one step of an integer buffer: depths are the exact planes
+/// rounded once, so what differs by a step stays apart (Mesa: two steps, MESA-RULES 4.4). Of a floating-point buffer it
+/// is a step at the largest depth of the polygon.
+double depth_offset(const PolygonState& state, const PlaneTargets& targets, double dx, double dy, double largest_depth);
+
+/// The smooth shape of a triangle that select_triangles chose.
+SmoothShape smooth_triangle(const WaitingTriangle& triangle);
+
+/// How many fragments of stippled lines came before, since the last reset [GL1.5 §3.4.2].
+using StippleCount = std::int64_t;
+/// Whether the stipple keeps the fragment behind so many others.
+inline bool stipple_keeps(const LineState& lines, StippleCount count) {
+  return (lines.stipple_pattern >> (count / lines.stipple_factor % 16) & 1) != 0;
+}
+
+/// What setup_line found.
+enum class LinePixels : std::uint8_t {
+  none,   ///< nothing is drawn
+  edges,  ///< the pixels inside the record's edges and box
+  list,   ///< the pixels that it listed, not yet scissored
 };
 
-/// Sets up a line of width 1 and lists its pixels in order, not yet scissored [GL1.5 §3.4.1]: strict diamond exit on
-/// end points snapped to 1/256 pixel, ties broken by the specification's shift (-eps, -eps^2).
-/// False if it draws nothing.
-bool setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, void* record,
-                std::vector<PixelPosition>& pixels);
+/// Sets up a line that is not smooth [GL1.5 §3.4.1, §3.4.2]: strict diamond exit on end points snapped to 1/256 pixel,
+/// ties broken by the specification's shift (-eps, -eps^2). Stippled ones move `count` on.
+LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
+                      StippleCount& count, void* record, std::vector<PixelPosition>& pixels);
 
-/// Sets up a point of size 1 [GL1.5 §3.3]. choice: its position is rounded to 1/256 pixel, halves away from zero,
-/// before the pixel is found (MESA-RULES 5.4). False if it draws nothing.
-bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, void* record,
-                 PixelPosition& pixel);
+/// A smooth line, or a stretch of it [GL1.5 §3.4.2]: `begin`, `end` in pixels from its start. False if it draws nothing.
+bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
+                       double end, void* record, SmoothShape& shape);
+/// Its length in pixels.
+double length_of(const ProcessedVertices& vertices, const AssembledLine& line);
+
+/// The size of a point before it is rounded for what it is [GL1.5 §3.3]. `x`, `y`, `z` is its eye position; used if sizes
+/// are attenuated.
+/// deviation: the distance is that from the eye, as the specification says; Mesa takes |z_eye| (MESA-RULES 5.4).
+float derived_point_size(const PointState& points, float x, float y, float z);
+
+/// Sets up a point of this size [GL1.5 §3.3]: its record has a box; `shape` becomes the disc of a smooth one,
+/// and is not used by others. False if it misses the
+/// scissor box. choice: a size is rounded to the nearest integer, halves down, and the position to 1/256 pixel, halves
+/// away from zero, before the pixels are found (MESA-RULES 5.4). Sprites are squares of exactly their size.
+bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, float size_px,
+                 void* record, SmoothShape* shape);
 
 }  // namespace gouraud::pipeline

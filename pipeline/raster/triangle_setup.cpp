@@ -2,6 +2,7 @@
 // edges and planes. Facing and culling use the area of the snapped triangle, coverage its edge functions; planes use
 // the unsnapped positions. Window y comes from the top (y_raster), is snapped
 // there, and turned over. All arithmetic on snapped positions is exact: integers below 2^53, held in doubles.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <new>
@@ -106,12 +107,12 @@ struct alignas(64) Selection {
 /// Facing, culling and the box.
 HWY_INLINE void select(const SetupState& state, const SnappedTriangles& p, Selection& out) {
   const D d;
-  // Reject what no sample can hit.
-  const V to_pixels = set(1.0 / subpixels);
-  const V x0 = hn::Ceil(hn::Mul(least(p.x[0], p.x[1], p.x[2]), to_pixels));
-  const V y0 = hn::Ceil(hn::Mul(least(p.y[0], p.y[1], p.y[2]), to_pixels));
-  const V x1 = hn::Add(hn::Floor(hn::Mul(most(p.x[0], p.x[1], p.x[2]), to_pixels)), set(1));
-  const V y1 = hn::Add(hn::Floor(hn::Mul(most(p.y[0], p.y[1], p.y[2]), to_pixels)), set(1));
+  // Reject what no sample can hit; of smooth triangles, what no pixel can touch (snapping moved it by half a step).
+  const V to_pixels = set(1.0 / subpixels), reach = set(state.polygons.smooth ? 0.5 * subpixels + 1 : 0.0);
+  const auto first = [&](V low) HWY_ATTR { return hn::Ceil(hn::Mul(hn::Sub(low, reach), to_pixels)); };
+  const auto end = [&](V high) HWY_ATTR { return hn::Add(hn::Floor(hn::Mul(hn::Add(high, reach), to_pixels)), set(1)); };
+  const V x0 = first(least(p.x[0], p.x[1], p.x[2])), y0 = first(least(p.y[0], p.y[1], p.y[2]));
+  const V x1 = end(most(p.x[0], p.x[1], p.x[2])), y1 = end(most(p.y[0], p.y[1], p.y[2]));
   const V cut_x0 = hn::Max(x0, set(state.scissor.x0)), cut_y0 = hn::Max(y0, set(state.scissor.y0));
   const V cut_x1 = hn::Min(x1, set(state.scissor.x1)), cut_y1 = hn::Min(y1, set(state.scissor.y1));
   hn::Store(cut_x0, d, out.x0);
@@ -225,7 +226,16 @@ HWY_INLINE void write_color(const SetupState& state, const Results& in, std::siz
   out.inverse_w_minimum = static_cast<float>(in.inverse_w_minimum[lane]);
   out.inverse_w_maximum = 1.0f;
   out.variation = (in.perspective >> lane & 1) != 0 ? ColorVariation::perspective : ColorVariation::affine;
-  out.clamp = (in.clamp >> lane & 1) != 0;
+  out.clamp = (in.clamp >> lane & 1) != 0 || state.polygons.smooth;  // smooth ones have fragments outside
+}
+
+/// Moves the depths of a filled polygon; the test then keeps each in the buffer's range.
+HWY_INLINE void offset_depth(const SetupState& state, DepthPlane& depth) {
+  const double offset = depth_offset(state.polygons, state.targets, depth.dx, depth.dy, depth.maximum);
+  const auto in_range = [&](double z) { return static_cast<float>(HWY_MIN(HWY_MAX(z + offset, 0.0), state.targets.depth_scale)); };
+  depth.origin += offset;
+  depth.minimum = in_range(depth.minimum);
+  depth.maximum = in_range(depth.maximum);
 }
 
 HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const Results& in, std::size_t lane,
@@ -240,8 +250,10 @@ HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const 
   out.x1 = triangle.x1;
   out.y1 = triangle.y1;
   out.scissored = triangle.scissored;
+  out.is_polygon = true;
   out.depth = {in.z_origin[lane], in.z_dx[lane], in.z_dy[lane], static_cast<float>(in.z_minimum[lane]),
                static_cast<float>(in.z_maximum[lane]), (in.steep >> lane & 1) != 0};
+  if (triangle.state->polygons.offset_fill) offset_depth(*triangle.state, out.depth);
 }
 
 /// Selects among at most max_lanes triangles.
@@ -354,6 +366,37 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
+
+double depth_offset(const PolygonState& state, const PlaneTargets& targets, double dx, double dy, double largest_depth) {
+  // A float in [0, 1] has 24 bits: a step at z is 2^-23 of the power of two below.
+  const double step = targets.depth_is_float ? std::ldexp(1.0, std::ilogb(std::max(largest_depth, 0x1p-125)) - 23) : 1.0;
+  const double offset = state.offset_factor * std::max(std::abs(dx), std::abs(dy)) + state.offset_units * step;
+  // Written so that what is no number moves nothing.
+  const double most = targets.depth_scale;
+  return offset > 0 ? std::min(offset, most) : offset < 0 ? std::max(offset, -most) : 0.0;
+}
+
+double depth_offset(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle) {
+  const WindowVertex &v0 = vertices.window[triangle.vertex[0]], &v1 = vertices.window[triangle.vertex[1]],
+                     &v2 = vertices.window[triangle.vertex[2]];
+  const double x1 = static_cast<double>(v1.x) - v0.x, y1 = static_cast<double>(v0.y_raster) - v1.y_raster;
+  const double x2 = static_cast<double>(v2.x) - v0.x, y2 = static_cast<double>(v0.y_raster) - v2.y_raster;
+  const double z1 = static_cast<double>(v1.z) - v0.z, z2 = static_cast<double>(v2.z) - v0.z;
+  const double area = x1 * y2 - x2 * y1;
+  const double scale = area != 0 ? state.targets.depth_scale / area : 0.0;
+  const double largest = std::max({v0.z, v1.z, v2.z}) * state.targets.depth_scale;
+  return depth_offset(state.polygons, state.targets, (z1 * y2 - z2 * y1) * scale, (x1 * z2 - x2 * z1) * scale, largest);
+}
+
+SmoothShape smooth_triangle(const WaitingTriangle& triangle) {
+  SmoothShape shape;
+  shape.corner_count = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const WindowVertex& vertex = triangle.window[i];
+    shape.corner[i] = {vertex.x, static_cast<double>(triangle.state->target_height_px) - vertex.y_raster};
+  }
+  return shape;
+}
 
 bool is_culled(CullMode cull, bool front) {
   return cull == CullMode::front_and_back || cull == (front ? CullMode::front : CullMode::back);

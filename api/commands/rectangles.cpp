@@ -1,0 +1,16 @@
+#include "api/commands/rectangles.h"
+
+#include "api/commands/begin_end.h"
+
+namespace gouraud::api {
+
+void Rectf(Context& context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  context.begin_primitive(pipeline::PrimitiveMode::polygon);
+  Vertex4f(context, x1, y1, 0.0f, 1.0f);
+  Vertex4f(context, x2, y1, 0.0f, 1.0f);
+  Vertex4f(context, x2, y2, 0.0f, 1.0f);
+  Vertex4f(context, x1, y2, 0.0f, 1.0f);
+  context.end_primitive();
+}
+
+}  // namespace gouraud::api

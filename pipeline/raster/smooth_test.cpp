@@ -1,0 +1,78 @@
+#include "pipeline/raster/smooth.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gouraud::pipeline {
+namespace {
+
+double sum_of(const SmoothShape& shape) {
+  const PixelRect box = box_of(shape);
+  double sum = 0;
+  for (std::int32_t y = box.y0; y < box.y1; y += 8) {
+    for (std::int32_t x = box.x0; x < box.x1; x += 8) {
+      std::array<float, 64> coverage;
+      cover_block(shape, x, y, coverage);
+      for (const float c : coverage) sum += c;
+    }
+  }
+  return sum;
+}
+
+/// The disc's part of the pixel from (x, y) on, by strips so thin that nothing is left to say.
+double thin_strips(double x, double y, double radius) {
+  constexpr int strips = 20000;
+  double area = 0;
+  for (int i = 0; i < strips; ++i) {
+    const double at = x + (i + 0.5) / strips, half = std::sqrt(std::max(radius * radius - at * at, 0.0));
+    area += std::max(std::min(y + 1, half) - std::max(y, -half), 0.0);
+  }
+  return area / strips;
+}
+
+TEST(Smooth, ASquareCoversItsShareOfEachPixel) {
+  const SmoothShape square{{{{1.25, 2.5}, {4.0, 2.5}, {4.0, 5.75}, {1.25, 5.75}}}, 4, 0};
+  std::array<float, 64> coverage;
+  const std::uint64_t covered = cover_block(square, 0, 0, coverage);
+  EXPECT_FLOAT_EQ(coverage[2 * 8 + 1], 0.75f * 0.5f);
+  EXPECT_FLOAT_EQ(coverage[3 * 8 + 2], 1.0f);
+  EXPECT_FLOAT_EQ(coverage[5 * 8 + 3], 0.75f);
+  EXPECT_EQ(coverage[0], 0.0f);
+  EXPECT_EQ(covered, 0x00000E0E0E0E0000u);
+}
+
+TEST(Smooth, AreasOfTrianglesAddUpWhicheverWayTheyTurn) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-3, 30);
+  for (int i = 0; i < 300; ++i) {
+    SmoothShape triangle;
+    triangle.corner_count = 3;
+    for (std::size_t k = 0; k < 3; ++k) triangle.corner[k] = {place(random), place(random)};
+    const auto& [a, b, c, unused] = triangle.corner;
+    const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+    ASSERT_NEAR(sum_of(triangle), area, 1e-4);
+  }
+}
+
+TEST(Smooth, DiscsAreExactToATenthOfAByte) {
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> place(0, 1);
+  for (const double radius : {0.5, 0.7, 1.0, 2.3, 10.0, 127.5}) {
+    for (int i = 0; i < 20; ++i) {
+      const SmoothShape disc{{{{place(random) + 200, place(random) + 200}}}, 0, radius};
+      const double angle = 6.28 * place(random);
+      const auto x = static_cast<std::int32_t>(std::floor(disc.corner[0].x + radius * std::cos(angle)));
+      const auto y = static_cast<std::int32_t>(std::floor(disc.corner[0].y + radius * std::sin(angle)));
+      std::array<float, 64> coverage;
+      cover_block(disc, x, y, coverage);
+      ASSERT_NEAR(coverage[0], thin_strips(x - disc.corner[0].x, y - disc.corner[0].y, radius), 0.4 / 255) << radius;
+    }
+    EXPECT_NEAR(sum_of({{{{20.3, 40.8}}}, 0, radius}), std::numbers::pi * radius * radius, 0.002 * radius * radius + 0.002);
+  }
+}
+
+}  // namespace
+}  // namespace gouraud::pipeline
