@@ -44,13 +44,16 @@ RULES = {
     "demos/shell": PUBLIC,
     "conformance": PUBLIC,
     "api": {"GL/gl.h", "GL/osmesa.h", "api"},
-    "api/state": {"GL/gl.h", "pipeline/draw/draw_state.h"},  # for the limits that both must agree on
+    "api/state": {"GL/gl.h", "pipeline/draw/draw_state.h",  # for the limits that both must agree on
+                  "pipeline/texture/image.h"},              # texture objects hold images
     "api/context": {"GL/gl.h", "api", "pipeline/draw", "pipeline/geometry/vertex_batch.h", "pipeline/framebuffer"},
     "api/commands": {"GL/gl.h", "api/state", "api/context", "api/registry", "api/snapshot",
                      "pipeline/framebuffer",       # ReadPixels takes rows out of the target
+                     "pipeline/texture",           # TexImage puts texels into images
                      "pipeline/geometry/vertex_batch.h",  # evaluators ask what a vertex demands
                      "pipeline/simd/dispatch.h"},  # GL_RENDERER names the instruction set
-    "api/snapshot": {"GL/gl.h", "api/state", "api/context", "pipeline/draw"} | STAGE_DATA,
+    "api/snapshot": {"GL/gl.h", "api/state", "api/context", "pipeline/draw",
+                     "pipeline/texture/completeness.h"} | STAGE_DATA,  # which textures there are to sample
     "api/osmesa": {"GL/gl.h", "GL/osmesa.h", "api", "pipeline/draw", "pipeline/framebuffer"},
     "pipeline/draw": {"pipeline"},
     "pipeline/simd": set(),

@@ -3,6 +3,7 @@
 // choice: a material parameter that follows the current colour is saved as of the push, and follows on after the pop.
 #include "api/commands/attribute_stacks.h"
 
+#include <utility>
 #include <vector>
 
 #include "api/commands/enables.h"
@@ -66,9 +67,39 @@ const std::vector<GLenum>& capabilities() {
   return found;
 }
 
+// Some capabilities are those of the active texture unit.
 void restore_enables(AttributeGroups& groups, AttributeGroups& saved) {
-  for (const GLenum cap : capabilities()) {
-    *find_capability(groups, cap).flag = *find_capability(saved, cap).flag;
+  const int active_unit = groups.texture.active_unit;
+  for (int unit = 0; unit < max_texture_units; ++unit) {
+    groups.texture.active_unit = saved.texture.active_unit = unit;
+    for (const GLenum cap : capabilities()) {
+      *find_capability(groups, cap).flag = *find_capability(saved, cap).flag;
+    }
+  }
+  groups.texture.active_unit = active_unit;
+}
+
+std::vector<TextureParameters> parameters_of_bound_textures(const TextureGroup& group) {
+  std::vector<TextureParameters> result;
+  for (const TextureUnit& unit : group.units) {
+    for (const TextureBinding& texture : unit.binding) result.push_back(texture->parameters);
+  }
+  return result;
+}
+
+// The parameters go back to the objects that had them, which are bound again.
+// choice: where an object was deleted since, the default texture is bound, with the parameters that it has now.
+void restore_textures(Context& context, const SavedAttributes& saved) {
+  auto parameters = saved.texture_parameters.begin();
+  for (TextureUnit& unit : context.state.texture.units) {
+    for (TextureBinding& texture : unit.binding) {
+      if (texture->name != 0 && context.texture_names().find(texture->name) != texture) {
+        texture = context.default_texture(texture->target);
+      } else {
+        texture->parameters = *parameters;
+      }
+      ++parameters;
+    }
   }
 }
 
@@ -80,7 +111,9 @@ void PushAttrib(Context& context, GLbitfield mask) {
     return context.record_error(GL_STACK_OVERFLOW, "glPushAttrib", "the stack is full");
   }
   sync_color_material(context.state);
-  stack.push_back({mask, context.state});
+  SavedAttributes saved{mask, context.state, {}};
+  if ((mask & GL_TEXTURE_BIT) != 0) saved.texture_parameters = parameters_of_bound_textures(context.state.texture);
+  stack.push_back(std::move(saved));
 }
 
 void PopAttrib(Context& context) {
@@ -92,6 +125,7 @@ void PopAttrib(Context& context) {
   for (const auto& row : group_rows) {
     if ((saved.mask & row.bit) != 0) row.restore(groups, saved.groups);
   }
+  if ((saved.mask & GL_TEXTURE_BIT) != 0) restore_textures(context, saved);
   if ((saved.mask & GL_ENABLE_BIT) != 0) restore_enables(groups, saved.groups);
   stack.pop_back();
   context.change(dirty_all);

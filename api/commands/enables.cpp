@@ -1,6 +1,7 @@
 #include "api/commands/enables.h"
 
 #include "api/commands/lighting.h"
+#include "api/commands/texture_targets.h"
 #include "api/commands/vertex_arrays.h"
 
 namespace gouraud::api {
@@ -22,6 +23,10 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
     return {&groups.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
   if (cap - GL_MAP1_COLOR_4 < map_kinds) return {&groups.eval.map1_enabled[cap - GL_MAP1_COLOR_4], 0};
   if (cap - GL_MAP2_COLOR_4 < map_kinds) return {&groups.eval.map2_enabled[cap - GL_MAP2_COLOR_4], 0};
+  if (const auto target = texture_target(cap)) {
+    TextureUnit& unit = groups.texture.units[static_cast<std::size_t>(groups.texture.active_unit)];
+    return {&unit.enabled[index_of(*target)], dirty_textures};
+  }
   switch (cap) {
     case GL_ALPHA_TEST:
       return {&groups.color_buffer.alpha_test_enabled, dirty_raster};
@@ -75,6 +80,8 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
       return {&groups.multisample.coverage_enabled, 0};
     case GL_SCISSOR_TEST:
       return {&groups.scissor.enabled, dirty_raster};
+    case GL_TEXTURE_CUBE_MAP_SEAMLESS:
+      return {&groups.texture.seamless_enabled, dirty_textures};
     default:
       return {};
   }

@@ -45,8 +45,6 @@ constexpr StateRow rows[] = {
     {GL_MAX_MODELVIEW_STACK_DEPTH, integer, 1, read_constant<max_modelview_stack_depth>},
     {GL_MAX_PROJECTION_STACK_DEPTH, integer, 1, read_constant<max_projection_stack_depth>},
     {GL_MAX_TEXTURE_STACK_DEPTH, integer, 1, read_constant<max_texture_stack_depth>},
-    {GL_MAX_TEXTURE_UNITS, integer, 1, read_constant<max_texture_units>},
-    {GL_MAX_TEXTURE_SIZE, integer, 1, read_constant<max_texture_size>},
     {GL_MAX_ATTRIB_STACK_DEPTH, integer, 1, read_constant<max_attrib_stack_depth>},
     {GL_MAX_CLIENT_ATTRIB_STACK_DEPTH, integer, 1, read_constant<max_client_attrib_stack_depth>},
     {GL_MAX_ELEMENTS_VERTICES, integer, 1, read_constant<max_elements_vertices>},

@@ -35,6 +35,7 @@ const StateRow* find_state_row(GLenum pname);
 std::span<const StateRow> vertex_state_rows();    // current values, matrices, viewport, lighting
 std::span<const StateRow> fragment_state_rows();  // rasterization, tests, framebuffer control, pixel store, hints
 std::span<const StateRow> vertex_array_rows();    // vertex arrays, buffer bindings, attribute stacks
+std::span<const StateRow> texture_rows();           // bindings and limits of texturing
 std::span<const StateRow> implementation_rows();  // limits and the target's properties
 std::span<const StateRow> display_list_rows();
 std::span<const StateRow> raster_position_rows();

@@ -1,5 +1,6 @@
 #include "api/context/context.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
@@ -79,8 +80,13 @@ Context::Context(const ContextConfig& config, Context* share_with)
       aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),
       config_(config),
       buffer_names_(share_with != nullptr ? share_with->buffer_names_ : std::make_shared<BufferNames>()),
+      texture_names_(share_with != nullptr ? share_with->texture_names_ : std::make_shared<TextureNames>()),
       renderer_(pipeline::default_thread_count()) {
   intercepting_ = tracing_calls_;
+  for (std::size_t i = 0; i < texture_target_count; ++i) {
+    default_textures_[i] = std::make_shared<TextureObject>(static_cast<TextureTarget>(i));
+  }
+  for (TextureUnit& unit : state.texture.units) unit.binding = default_textures_;
 }
 
 Context::~Context() {
@@ -145,11 +151,37 @@ void Context::refresh() {
       flush_vertices();
       next.lighting.material = draw_state_.lighting.material;
       draw_state_ = next;
+      hold_textures();
       plan_ = pipeline::make_plan(draw_state_, target.format);
     }
   }
   if ((dirty & ~(dirty_transform | dirty_viewport)) != 0) apply_material();
   dirty_ = 0;
+}
+
+void Context::unbind_texture(const TextureBinding& texture) {
+  const std::size_t target = index_of(texture->target);
+  for (TextureUnit& unit : state.texture.units) {
+    if (unit.binding[target] == texture) unit.binding[target] = default_textures_[target];
+  }
+  change(dirty_textures);
+}
+
+long Context::texture_uses(const pipeline::Texture& texture) const {
+  return std::count_if(held_textures_.begin(), held_textures_.end(),
+                       [&](const auto& held) { return held.get() == &texture; });
+}
+
+// What the draw state no longer refers to may still wait in the bins.
+void Context::hold_textures() {
+  const pipeline::TexturingState& texturing = draw_state_.texturing;
+  for (std::size_t i = 0; i < held_textures_.size(); ++i) {
+    const pipeline::TextureUnitState& unit = texturing.unit[i];
+    const pipeline::Texture* const wanted = i < texturing.count ? unit.texture : nullptr;
+    if (held_textures_[i].get() == wanted) continue;
+    if (held_textures_[i] != nullptr) renderer_.keep(std::move(held_textures_[i]));
+    held_textures_[i] = wanted != nullptr ? state.texture.units[unit.unit].binding[index_of(unit.target)]->texture : nullptr;
+  }
 }
 
 void Context::trace_plan() const {

@@ -11,6 +11,8 @@
 #include "api/context/buffer_names.h"
 #include "api/context/display_list.h"
 #include "api/context/immediate.h"
+#include "api/context/object_names.h"
+#include "api/context/texture_proxies.h"
 #include "api/snapshot/snapshot.h"
 #include "api/state/attribute_stacks.h"
 #include "api/state/state.h"
@@ -22,6 +24,8 @@
 namespace gouraud::api {
 
 class Context;
+
+using TextureNames = ObjectNames<TextureObject>;
 
 /// This thread's current context or null. Read it with current_context(), change it with make_current().
 extern constinit thread_local Context* current_context_pointer __attribute__((tls_model("initial-exec")));
@@ -112,6 +116,14 @@ class Context {
   std::function<void()> copy_out;
 
   BufferNames& buffer_names() { return *buffer_names_; }
+  TextureNames& texture_names() { return *texture_names_; }
+  /// The texture of name 0 [GL1.5 §3.8.12]: contexts do not share it.
+  const TextureBinding& default_texture(TextureTarget target) const { return default_textures_[index_of(target)]; }
+  /// Binds the default texture wherever this one is bound.
+  void unbind_texture(const TextureBinding& texture);
+  /// How often the draw state, which keeps its textures alive, refers to this one.
+  long texture_uses(const pipeline::Texture& texture) const;
+  TextureProxies texture_proxies{};
 
   State state;
   AttributeStacks attribute_stacks;
@@ -124,6 +136,7 @@ class Context {
 
  private:
   void draw_pending();
+  void hold_textures();
   void trace_plan() const;
 
   bool intercepting_ = false;
@@ -133,6 +146,9 @@ class Context {
   GLenum error_ = GL_NO_ERROR;
   ContextConfig config_;
   std::shared_ptr<BufferNames> buffer_names_;
+  std::shared_ptr<TextureNames> texture_names_;
+  std::array<TextureBinding, texture_target_count> default_textures_;
+  std::array<std::shared_ptr<const pipeline::Texture>, max_texture_units> held_textures_;  // of draw_state_.texturing
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
   std::unique_ptr<pipeline::Framebuffer> window_;

@@ -11,6 +11,12 @@ LAST_VERSION = "1.5"
 # that every GL header has had since 1.1.
 EXTRA_ENUMS = {"GL_TABLE_TOO_LARGE": None, "GL_ALL_CLIENT_ATTRIB_BITS": 0xFFFFFFFF}
 
+# Other names of core commands that gl.xml does not call aliases, since their GLX protocol differs.
+EXTRA_ALIASES = {
+    "AreTexturesResidentEXT": "AreTexturesResident", "DeleteTexturesEXT": "DeleteTextures",
+    "GenTexturesEXT": "GenTextures", "IsTextureEXT": "IsTexture",
+}
+
 
 @dataclass(frozen=True)
 class Param:
@@ -163,6 +169,8 @@ def _fold_aliases(registry, xml_commands):
 
 
 def _alias_root(name, registry, xml_commands):
+    if name in EXTRA_ALIASES:
+        return EXTRA_ALIASES[name]
     seen = name
     while True:
         alias = xml_commands["gl" + seen].find("alias")

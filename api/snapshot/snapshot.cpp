@@ -6,6 +6,7 @@
 #include "api/snapshot/enums.h"
 #include "api/snapshot/lighting_snapshot.h"
 #include "api/snapshot/rasterization_snapshot.h"
+#include "api/snapshot/texture_snapshot.h"
 #include "api/state/matrix.h"
 
 namespace gouraud::api {
@@ -108,9 +109,13 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   const pipeline::RasterState old_raster = draw_state.raster;
   if (dirty & dirty_raster) draw_state.raster = raster_state(state, target);
   const bool colors_matter = draw_state.raster.needs_colors();
-  if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting;
+  if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting | dirty_textures;
   const bool depth_matters = draw_state.raster.depth.test_enabled;
   if (depth_matters != old_raster.depth.test_enabled) dirty |= dirty_viewport | dirty_assembly;
+
+  if (dirty & dirty_textures) {
+    draw_state.texturing = colors_matter ? texturing_state(state) : pipeline::TexturingState();
+  }
 
   const pipeline::CullMode old_cull = draw_state.assembly.cull;
   if (dirty & (dirty_assembly | dirty_lighting)) draw_state.assembly = assembly_state(state, colors_matter);

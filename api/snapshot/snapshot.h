@@ -18,7 +18,8 @@ enum DirtyBits : std::uint32_t {
   dirty_material = 1u << 3,  ///< material parameters alone: these may change inside Begin/End
   dirty_assembly = 1u << 4,  ///< points, lines, polygons
   dirty_raster = 1u << 5,  ///< scissor, depth, masks
-  dirty_all = (1u << 6) - 1,
+  dirty_textures = 1u << 6,  ///< texture units, objects, images
+  dirty_all = (1u << 7) - 1,
 };
 
 /// What the snapshot needs to know of the target; zero and none without one.

@@ -11,6 +11,8 @@ namespace gouraud::api {
 struct SavedAttributes {
   GLbitfield mask = 0;
   AttributeGroups groups;
+  /// With TEXTURE_BIT, of each object bound: by unit and target.
+  std::vector<TextureParameters> texture_parameters;
 };
 
 struct SavedClientAttributes {

@@ -19,7 +19,10 @@ inline constexpr int max_eval_order = 30;
 inline constexpr int max_name_stack_depth = 64;
 inline constexpr int max_list_nesting = 64;
 inline constexpr int max_pixel_map_table = 256;
-inline constexpr int max_texture_size = 16384;
+inline constexpr int max_texture_size = pipeline::max_texture_size;
+inline constexpr int max_texture_3d_size = pipeline::max_texture_3d_size, max_texture_3d_levels = 12;
+static_assert(1 << (max_texture_3d_levels - 1) == max_texture_3d_size);
+inline constexpr float max_texture_lod_bias = 15.0f, max_texture_anisotropy = 16.0f;
 /// The largest target and the largest viewport, in pixels a side.
 inline constexpr int max_target_size_px = 16384;
 /// choice: glViewport clamps x and y to these bounds, as Mesa does; the specification clamps only width and height.

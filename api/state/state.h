@@ -13,6 +13,7 @@
 #include "api/state/pixel.h"
 #include "api/state/pixel_store.h"
 #include "api/state/rasterization.h"
+#include "api/state/texture.h"
 #include "api/state/transform.h"
 #include "api/state/vertex_arrays.h"
 
@@ -30,9 +31,11 @@ struct HintGroup {
   bool operator==(const HintGroup&) const = default;
 };
 
-/// Part of attribute group TEXTURE_BIT.
+/// Attribute group TEXTURE_BIT, to which the parameters of the bound objects belong as well.
 struct TextureGroup {
   int active_unit = 0;  ///< in [0, max_texture_units)
+  std::array<TextureUnit, max_texture_units> units;
+  bool seamless_enabled = false;  ///< TEXTURE_CUBE_MAP_SEAMLESS
   bool operator==(const TextureGroup&) const = default;
 };
 

@@ -1,0 +1,233 @@
+#include "pipeline/texture/texel_rows.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace gouraud::pipeline {
+namespace {
+
+/// Which of R, G, B, A a texel's channels hold.
+struct Channels {
+  int count = 4;
+  std::array<std::uint8_t, 4> source{0, 1, 2, 3};
+};
+
+Channels channels_of(BaseFormat base) {
+  switch (base) {
+    case BaseFormat::alpha: return {1, {3}};
+    case BaseFormat::luminance:
+    case BaseFormat::intensity:
+    case BaseFormat::depth: return {1, {0}};
+    case BaseFormat::luminance_alpha: return {2, {0, 3}};
+    case BaseFormat::rgb:
+    case BaseFormat::rgba: break;
+  }
+  return {};
+}
+
+/// A float as a channel of type T.
+template <class T>
+T quantized(float value) {
+  if constexpr (std::is_floating_point_v<T>) return value;
+  else {
+    constexpr auto most = static_cast<float>(T(~T{0}));
+    if (!(value > 0.0f)) return 0;
+    return static_cast<T>(std::min(value, 1.0f) * most + 0.5f);
+  }
+}
+
+template <class T>
+constexpr T full_channel() {
+  if constexpr (std::is_floating_point_v<T>) return T(1);
+  else return T(~T{0});
+}
+
+template <class T>
+void put(std::byte* out, std::size_t index, T value) { std::memcpy(out + index * sizeof(T), &value, sizeof(T)); }
+template <class T>
+T take(const std::byte* in, std::size_t index) {
+  T value;
+  std::memcpy(&value, in + index * sizeof(T), sizeof(T));
+  return value;
+}
+
+/// convert(component) gives a channel.
+template <class T, class Component, class Convert>
+void store_channels(const Image& image, const Component* rgba, std::size_t count, std::byte* out, Convert convert) {
+  const Channels channels = channels_of(image.base_format);
+  if (channels.count == 1) {
+    const Component* in = rgba + channels.source[0];
+    for (std::size_t i = 0; i < count; ++i) put<T>(out, i, convert(in[4 * i]));
+  } else if (channels.count == 2) {
+    for (std::size_t i = 0; i < count; ++i) {
+      put<T>(out, 2 * i, convert(rgba[4 * i]));
+      put<T>(out, 2 * i + 1, convert(rgba[4 * i + 3]));
+    }
+  } else {
+    for (std::size_t i = 0; i < 4 * count; ++i) put<T>(out, i, convert(rgba[i]));
+    if (image.base_format != BaseFormat::rgb) return;
+    for (std::size_t i = 0; i < count; ++i) put<T>(out, 4 * i + 3, full_channel<T>());
+  }
+}
+
+/// The reverse: convert(channel) gives a component; one(full) is that of a channel that is full.
+template <class T, class Component, class Convert>
+void load_channels(const Image& image, const std::byte* texels, std::size_t count, Component* rgba, Convert convert,
+                   Component one) {
+  const Channels channels = channels_of(image.base_format);
+  const auto step = static_cast<std::size_t>(channels.count);
+  for (std::size_t i = 0; i < count; ++i, rgba += 4) {
+    rgba[0] = rgba[1] = rgba[2] = Component{0};
+    rgba[3] = one;
+    for (std::size_t c = 0; c < step; ++c) rgba[channels.source[c]] = convert(take<T>(texels, i * step + c));
+    if (image.base_format == BaseFormat::rgb) rgba[3] = one;
+  }
+}
+
+double clamped_depth(double depth) { return depth > 0.0 ? std::min(depth, 1.0) : 0.0; }
+
+}  // namespace
+
+void store_colors(const Image& image, const float* rgba, std::size_t count, std::byte* out) {
+  switch (image.format) {
+    case TexelFormat::r8:
+    case TexelFormat::rg8:
+    case TexelFormat::rgba8:
+      return store_channels<std::uint8_t>(image, rgba, count, out, quantized<std::uint8_t>);
+    case TexelFormat::r16:
+    case TexelFormat::rg16:
+    case TexelFormat::rgba16:
+      return store_channels<std::uint16_t>(image, rgba, count, out, quantized<std::uint16_t>);
+    default:
+      return store_channels<float>(image, rgba, count, out, quantized<float>);
+  }
+}
+
+void store_colors(const Image& image, const std::uint8_t* rgba, std::size_t count, std::byte* out) {
+  switch (image.format) {
+    case TexelFormat::r8:
+    case TexelFormat::rg8:
+    case TexelFormat::rgba8:
+      return store_channels<std::uint8_t>(image, rgba, count, out, [](std::uint8_t v) { return v; });
+    case TexelFormat::r16:
+    case TexelFormat::rg16:
+    case TexelFormat::rgba16:
+      return store_channels<std::uint16_t>(image, rgba, count, out,
+                                           [](std::uint8_t v) { return static_cast<std::uint16_t>(v * 257); });
+    default:
+      return store_channels<float>(image, rgba, count, out,
+                                   [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; });
+  }
+}
+
+void store_depths(const Image& image, const double* depths, const std::uint32_t* stencils, std::size_t count, std::byte* out) {
+  switch (image.format) {
+    case TexelFormat::z16:
+      for (std::size_t i = 0; i < count; ++i) {
+        put(out, i, static_cast<std::uint16_t>(clamped_depth(depths[i]) * 65535.0 + 0.5));
+      }
+      break;
+    case TexelFormat::z24s8:
+      for (std::size_t i = 0; i < count; ++i) {
+        const auto depth = static_cast<std::uint32_t>(clamped_depth(depths[i]) * 16777215.0 + 0.5);
+        put(out, i, depth | (stencils != nullptr ? stencils[i] << 24 : 0u));
+      }
+      break;
+    default:
+      for (std::size_t i = 0; i < count; ++i) put(out, i, static_cast<float>(clamped_depth(depths[i])));
+      break;
+  }
+}
+
+void load_colors(const Image& image, const std::byte* texels, std::size_t count, float* rgba) {
+  switch (image.format) {
+    case TexelFormat::r8:
+    case TexelFormat::rg8:
+    case TexelFormat::rgba8:
+      return load_channels<std::uint8_t>(image, texels, count, rgba,
+                                         [](std::uint8_t v) { return static_cast<float>(v) / 255.0f; }, 1.0f);
+    case TexelFormat::r16:
+    case TexelFormat::rg16:
+    case TexelFormat::rgba16:
+      return load_channels<std::uint16_t>(image, texels, count, rgba,
+                                          [](std::uint16_t v) { return static_cast<float>(v) / 65535.0f; }, 1.0f);
+    default:
+      return load_channels<float>(image, texels, count, rgba, [](float v) { return v; }, 1.0f);
+  }
+}
+
+void load_colors(const Image& image, const std::byte* texels, std::size_t count, std::uint8_t* rgba) {
+  load_channels<std::uint8_t>(image, texels, count, rgba, [](std::uint8_t v) { return v; }, std::uint8_t{255});
+}
+
+bool has_byte_channels(TexelFormat format) {
+  return format == TexelFormat::r8 || format == TexelFormat::rg8 || format == TexelFormat::rgba8;
+}
+
+void load_depths(const Image& image, const std::byte* texels, std::size_t count, double* depths, std::uint32_t* stencils) {
+  const bool packed = image.format == TexelFormat::z24s8;
+  for (std::size_t i = 0; i < count; ++i) {
+    switch (image.format) {
+      case TexelFormat::z16: depths[i] = take<std::uint16_t>(texels, i) / 65535.0; break;
+      case TexelFormat::z24s8: depths[i] = (take<std::uint32_t>(texels, i) & 0xFFFFFFu) / 16777215.0; break;
+      default: depths[i] = static_cast<double>(take<float>(texels, i)); break;
+    }
+    if (stencils != nullptr) stencils[i] = packed ? take<std::uint32_t>(texels, i) >> 24 : 0u;
+  }
+}
+
+std::size_t texel_bytes(const Image& image) {
+  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
+         static_cast<std::size_t>(image.depth) * static_cast<std::size_t>(bytes_per_texel(image.format));
+}
+
+void allocate_texels(Image& image) {
+  constexpr std::size_t readable_behind = 16;
+  auto* const bytes = static_cast<std::byte*>(std::calloc(texel_bytes(image) + readable_behind, 1));
+  if (bytes == nullptr) throw std::bad_alloc();
+  image.tiles = nullptr;
+  image.texels = std::shared_ptr<std::byte[]>(bytes, [](std::byte* p) { std::free(p); });
+}
+
+std::byte* texel_row(const Image& image, int y, int z) {
+  const auto row = static_cast<std::size_t>(z) * static_cast<std::size_t>(image.height) + static_cast<std::size_t>(y);
+  return image.texels.get() +
+         row * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(bytes_per_texel(image.format));
+}
+
+namespace {
+
+/// Calls copy(texel's byte in the image, byte offset in the row, bytes) for runs that lie side by side.
+template <class Copy>
+void for_runs(const Image& image, int x, int y, int z, int count, Copy copy) {
+  const auto size = static_cast<std::size_t>(bytes_per_texel(image.format));
+  if (image.tiles == nullptr) {
+    copy(texel_row(image, y, z) + static_cast<std::size_t>(x) * size, 0, static_cast<std::size_t>(count) * size);
+    return;
+  }
+  for (int done = 0; done < count;) {
+    const int run = std::min(block_size - (x + done) % block_size, count - done);
+    copy(image.tiles->pixel(x + done, y), static_cast<std::size_t>(done) * size, static_cast<std::size_t>(run) * size);
+    done += run;
+  }
+}
+
+}  // namespace
+
+void read_texels(const Image& image, int x, int y, int z, int count, std::byte* out) {
+  for_runs(image, x, y, z, count, [out](const std::byte* at, std::size_t offset, std::size_t bytes) {
+    std::memcpy(out + offset, at, bytes);
+  });
+}
+
+void write_texels(const Image& image, int x, int y, int z, int count, const std::byte* texels) {
+  for_runs(image, x, y, z, count, [texels](std::byte* at, std::size_t offset, std::size_t bytes) {
+    std::memcpy(at, texels + offset, bytes);
+  });
+}
+
+}  // namespace gouraud::pipeline
