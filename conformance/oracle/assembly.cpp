@@ -13,7 +13,10 @@ class Assembler {
 
   void point(int a) { add(1, {a, a, a}, a, 0); }
   void line(int a, int b) { add(2, {a, b, b}, b, 0); }
-  void triangle(int a, int b, int c, int provoking, unsigned edges = 7) { add(3, {a, b, c}, provoking, edges); }
+  void triangle(int a, int b, int c, int provoking, unsigned edges = 7, bool continues = false) {
+    add(3, {a, b, c}, provoking, edges);
+    primitives_.back().continues = continues;
+  }
   std::vector<Primitive> take() { return std::move(primitives_); }
 
  private:
@@ -39,10 +42,10 @@ void assemble_quads(const PrimitiveRange& range, bool diagonal_02, Assembler& ou
     const int last = i + 3;
     if (diagonal_02) {
       out.triangle(i, i + 1, i + 2, last, edge_ab | edge_bc);
-      out.triangle(i, i + 2, i + 3, last, edge_bc | edge_ca);
+      out.triangle(i, i + 2, i + 3, last, edge_bc | edge_ca, true);
     } else {
       out.triangle(i, i + 1, i + 3, last, edge_ab | edge_ca);
-      out.triangle(i + 1, i + 2, i + 3, last, edge_ab | edge_bc);
+      out.triangle(i + 1, i + 2, i + 3, last, edge_ab | edge_bc, true);
     }
   }
 }
@@ -52,7 +55,7 @@ void assemble_quad_strip(const PrimitiveRange& range, Assembler& out) {
   for (int i = 0; i + 3 < range.count; i += 2) {
     const int last = i + 3;
     out.triangle(i, i + 1, i + 3, last, edge_ab | edge_bc);
-    out.triangle(i, i + 3, i + 2, last, edge_bc | edge_ca);
+    out.triangle(i, i + 3, i + 2, last, edge_bc | edge_ca, true);
   }
 }
 
@@ -60,7 +63,7 @@ void assemble_quad_strip(const PrimitiveRange& range, Assembler& out) {
 void assemble_polygon(const PrimitiveRange& range, Assembler& out) {
   for (int i = 2; i < range.count; ++i) {
     const bool first = range.begins && i == 2, last = range.ends && i == range.count - 1;
-    out.triangle(i - 1, i, 0, 0, edge_ab | (last ? edge_bc : 0) | (first ? edge_ca : 0));
+    out.triangle(i - 1, i, 0, 0, edge_ab | (last ? edge_bc : 0) | (first ? edge_ca : 0), i > 2 || !range.begins);
   }
 }
 

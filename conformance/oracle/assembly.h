@@ -19,6 +19,7 @@ struct Primitive {
   std::array<int, 3> vertex{};
   int provoking = 0;
   unsigned boundary_edges = 7;
+  bool continues = false;  ///< the same polygon as the triangle before
 };
 
 std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, const pipeline::AssemblyState& state);

@@ -110,6 +110,19 @@ void store(OraclePicture& picture, std::size_t index, const std::vector<OraclePi
   }
 }
 
+/// The fragment with other coverages that are legal, as far as blending can tell them from this one.
+std::vector<Fragment> other_coverages(const pipeline::RasterState& state, const Fragment& fragment) {
+  std::vector<Fragment> out;
+  if (fragment.coverage_slack == 0 || !state.blend.enabled) return out;
+  const auto byte_of = [](double alpha) { return std::nearbyint(clamped_to_unit(alpha) * 255.0); };
+  for (const double slack : {-fragment.coverage_slack, fragment.coverage_slack}) {
+    Fragment other = fragment;
+    other.color[3] += slack;
+    if (byte_of(other.color[3]) != byte_of(fragment.color[3])) out.push_back(other);
+  }
+  return out;
+}
+
 /// All contents that the pixel may have.
 std::vector<OraclePixel> possible_contents(const OraclePicture& picture, std::size_t index) {
   std::vector<OraclePixel> out{picture.pixels[index]};
@@ -151,7 +164,9 @@ OraclePicture make_picture(int width_px, int height_px, int depth_bits) {
   return picture;
 }
 
-void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& fragment) {
+void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& rasterized) {
+  Fragment fragment = rasterized;
+  for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) (*color)[3] *= fragment.coverage;
   const pipeline::PixelRect& box = state.scissor;
   if (fragment.x < box.x0 || fragment.x >= box.x1 || fragment.y < box.y0 || fragment.y >= box.y1) return;
   if (fragment.x < 0 || fragment.x >= picture.width_px || fragment.y < 0 || fragment.y >= picture.height_px) return;
@@ -168,11 +183,14 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
   };
   OraclePixel& pixel = picture.pixels[index];
   const bool passed = alpha.passes && passes_on(pixel);
-  if (passed) ++picture.fragments_written[index];
+  // A smooth primitive's faintest fragments leave a pixel as it is, whatever it is.
+  const bool is_faint = fragment.coverage < 1 && state.blend.enabled && std::nearbyint(fragment.color[3] * 255.0) == 0;
+  if (passed && !is_faint) ++picture.fragments_written[index];
+  const std::vector<Fragment> others = other_coverages(state, fragment);
 
   // The usual case: one content, one outcome.
   const bool only_one = picture.alternatives.empty() || !picture.alternatives.contains(index);
-  if (only_one && !alpha.ambiguous && !(tested && is_ambiguous(state.depth.func, depth, pixel))) {
+  if (only_one && others.empty() && !alpha.ambiguous && !(tested && is_ambiguous(state.depth.func, depth, pixel))) {
     if (passed) pixel = written(pixel, state, fragment, depth);
     return;
   }
@@ -183,6 +201,10 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
     const OraclePixel after = written(content, state, fragment, depth);
     const bool depth_passes = passes_on(content), likely_pass = alpha.passes && depth_passes;
     outcomes.push_back(likely_pass ? after : content);
+    for (const Fragment& other : others) {
+      picture.flags[index] |= pixel_depth_ambiguous;
+      if (likely_pass) less_likely.push_back(written(content, state, other, depth));
+    }
     const bool turns = alpha.ambiguous && depth_passes;
     if (turns || (tested && is_ambiguous(state.depth.func, depth, content))) {
       picture.flags[index] |= pixel_depth_ambiguous;

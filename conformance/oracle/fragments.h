@@ -17,6 +17,8 @@ struct Fragment {
   /// Window z that a conforming implementation may have computed: at most the slack away, within the vertices' range.
   double depth_lowest = 0, depth_highest = 0;
   bool extrapolated = false;
+  double coverage = 1;  ///< of a smooth primitive: multiplies alpha [GL1.5 §3.11]
+  double coverage_slack = 0;  ///< how far a conforming coverage may be from it
 };
 
 /// The largest depth that a buffer of so many bits can hold; 0 for no buffer.

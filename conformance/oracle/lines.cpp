@@ -1,4 +1,4 @@
-// Lines of width 1 by the diamond-exit rule as it is written, and points of size 1 [GL1.5 §3.3.1, §3.4.1].
+// Lines by the diamond-exit rule as it is written, wide, stippled and smooth ones; points [GL1.5 §3.3.1, §3.4.1, §3.4.2].
 //
 // In the coordinates u = x + y, v = x - y a diamond is a square: |u - uf| < 1/2 and |v - vf| < 1/2. The line is moved
 // by
@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "conformance/oracle/rasterize.h"
+#include "conformance/oracle/smooth.h"
 
 namespace gouraud::oracle {
 namespace {
@@ -78,7 +79,7 @@ void bound_extrapolation(const std::array<WindowVertex, 2>& ends, const std::arr
 }
 
 /// Colour and depth of the line at a pixel's centre [GL1.5 §3.4.1 eqs 3.3-3.5].
-void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y) {
+void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y, double coverage = 1) {
   const auto& [a, b] = ends;
   const double dx = b.x - a.x, dy = b.y - a.y;
   const double squared_length = dx * dx + dy * dy;
@@ -87,15 +88,94 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
   Fragment fragment;
   fragment.x = x;
   fragment.y = y;
+  fragment.coverage = coverage;
+  fragment.coverage_slack = coverage < 1 ? coverage_rounding : 0;
   const std::array<Color, 2> colors{color_of(sink, sink.flat_colors ? *sink.flat_colors : a.colors),
                                     color_of(sink, sink.flat_colors ? *sink.flat_colors : b.colors)};
   fragment.color = fragment.color_lowest = fragment.color_highest = color_at(ends, colors, t);
   if ((t < 0 || t > 1) && a.w_inverse != b.w_inverse) bound_extrapolation(ends, colors, t, fragment);
-  fragment.depth = a.z == b.z ? a.z : (1 - t) * a.z + t * b.z;
-  const double slack = a.z == b.z ? 0.0 : sink.depth_slack;
+  fragment.depth = (a.z == b.z ? a.z : (1 - t) * a.z + t * b.z) + sink.depth_offset;
+  const double slack = a.z == b.z && sink.depth_offset == 0 ? 0.0 : sink.depth_slack;
   fragment.depth_lowest = fragment.depth - slack;
   fragment.depth_highest = fragment.depth + slack;
   write_fragment(*sink.picture, sink.state, fragment);
+}
+
+bool stipple_keeps(const pipeline::LineState& lines, std::int64_t count) {
+  return (lines.stipple_pattern >> (count / lines.stipple_factor % 16) & 1) != 0;
+}
+
+/// The pixels of the line of width 1, in order from a to b.
+std::vector<std::array<int, 2>> pixels_of(const SubpixelPoint& a, const SubpixelPoint& b, int subpixel_bits) {
+  // Walk the columns (rows, if the line is steep) and ask the five pixels around the line in each.
+  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  const double unit = std::ldexp(1.0, -subpixel_bits);
+  const double major_a = static_cast<double>(steep ? a.y : a.x) * unit,
+               minor_a = static_cast<double>(steep ? a.x : a.y) * unit;
+  const double major_b = static_cast<double>(steep ? b.y : b.x) * unit,
+               minor_b = static_cast<double>(steep ? b.x : b.y) * unit;
+  const double slope = (minor_b - minor_a) / (major_b - major_a);
+  const int first = static_cast<int>(std::floor(std::min(major_a, major_b)) - 1);
+  const int last = static_cast<int>(std::ceil(std::max(major_a, major_b)) + 1);
+  std::vector<std::array<int, 2>> pixels;
+  for (int major = first; major <= last; ++major) {
+    const auto middle = static_cast<int>(std::lround(minor_a + slope * (major - major_a)));
+    for (int minor = middle - 2; minor <= middle + 2; ++minor) {
+      const int x = steep ? minor : major, y = steep ? major : minor;
+      if (exits_diamond(a, b, x, y, subpixel_bits)) pixels.push_back({x, y});
+    }
+  }
+  if (major_b < major_a) std::ranges::reverse(pixels);
+  return pixels;
+}
+
+/// Moved in the minor direction, and so many fragments in each column [GL1.5 §3.4.2].
+void rasterize_aliased(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, std::int64_t& stipple_count) {
+  SubpixelPoint a = vertices[0].snapped, b = vertices[1].snapped;
+  if (a == b) return;
+  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
+  const int width = static_cast<int>(sink.lines.width_px);
+  const std::int64_t shift = (std::int64_t{1} << sink.subpixel_bits) / 2 * (width - 1);
+  (steep ? a.x : a.y) -= shift;
+  (steep ? b.x : b.y) -= shift;
+  for (const auto& [x, y] : pixels_of(a, b, sink.subpixel_bits)) {
+    if (!stipple_keeps(sink.lines, stipple_count++)) continue;
+    for (int k = 0; k < width; ++k) make_fragment(sink, vertices, x + (steep ? k : 0), y + (steep ? 0 : k));
+  }
+}
+
+/// A rectangle around the stretch of the line between two distances from its start [GL1.5 §3.4.2].
+void rasterize_stretch(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, double begin, double end) {
+  const auto& [a, b] = vertices;
+  const double length = std::hypot(b.x - a.x, b.y - a.y), half = 0.5 * static_cast<double>(sink.lines.width_px);
+  const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
+  const auto corner = [&](double along, double across) {
+    return Place{a.x + along * ux - across * uy, a.y + along * uy + across * ux};
+  };
+  const Outline rectangle{corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)};
+  const auto [x0, x1] = std::ranges::minmax(rectangle, {}, &Place::x);
+  const auto [y0, y1] = std::ranges::minmax(rectangle, {}, &Place::y);
+  for (int y = static_cast<int>(std::floor(y0.y)); y < y1.y; ++y) {
+    for (int x = static_cast<int>(std::floor(x0.x)); x < x1.x; ++x) {
+      const double coverage = area_of(clipped_to_pixel(rectangle, x, y));
+      if (coverage >= least_coverage) make_fragment(sink, vertices, x, y, coverage);
+    }
+  }
+}
+
+/// Neighbouring unit rectangles that the stipple keeps are one.
+void rasterize_smooth(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, std::int64_t& stipple_count) {
+  const double length = std::hypot(vertices[1].x - vertices[0].x, vertices[1].y - vertices[0].y);
+  if (length == 0) return;
+  if (sink.lines.stipple_pattern == 0xFFFF) return rasterize_stretch(sink, vertices, 0, length);
+  const auto count = static_cast<std::int64_t>(std::ceil(length));
+  std::int64_t begin = 0;
+  for (std::int64_t i = 0; i <= count; ++i) {
+    if (i < count && stipple_keeps(sink.lines, stipple_count + i)) continue;
+    if (i > begin) rasterize_stretch(sink, vertices, static_cast<double>(begin), std::min(static_cast<double>(i), length));
+    begin = i + 1;
+  }
+  stipple_count += count;
 }
 
 }  // namespace
@@ -112,27 +192,11 @@ bool exits_diamond(const SubpixelPoint& a, const SubpixelPoint& b, int x, int y,
   return begin < end && begin < Time{1, 0, 0, 1} && Time{0, 0, 0, 1} < end;
 }
 
-void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices) {
-  const SubpixelPoint &a = vertices[0].snapped, &b = vertices[1].snapped;
-  if (a == b) return;
-  // Walk the columns (rows, if the line is steep) and ask the five pixels around the line in each.
-  const bool steep = std::abs(b.y - a.y) > std::abs(b.x - a.x);
-  const double unit = std::ldexp(1.0, -sink.subpixel_bits);
-  const double major_a = static_cast<double>(steep ? a.y : a.x) * unit,
-               minor_a = static_cast<double>(steep ? a.x : a.y) * unit;
-  const double major_b = static_cast<double>(steep ? b.y : b.x) * unit,
-               minor_b = static_cast<double>(steep ? b.x : b.y) * unit;
-  const double slope = (minor_b - minor_a) / (major_b - major_a);
-  const pipeline::PixelRect& box = sink.state.scissor;
-  const double box_begin = steep ? box.y0 : box.x0, box_end = steep ? box.y1 : box.x1;
-  const int first = static_cast<int>(std::max(std::floor(std::min(major_a, major_b)) - 1, box_begin));
-  const int last = static_cast<int>(std::min(std::ceil(std::max(major_a, major_b)) + 1, box_end - 1));
-  for (int major = first; major <= last; ++major) {
-    const auto middle = static_cast<int>(std::lround(minor_a + slope * (major - major_a)));
-    for (int minor = middle - 2; minor <= middle + 2; ++minor) {
-      const int x = steep ? minor : major, y = steep ? major : minor;
-      if (exits_diamond(a, b, x, y, sink.subpixel_bits)) make_fragment(sink, vertices, x, y);
-    }
+void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, std::int64_t& stipple_count) {
+  if (sink.lines.smooth) {
+    rasterize_smooth(sink, vertices, stipple_count);
+  } else {
+    rasterize_aliased(sink, vertices, stipple_count);
   }
 }
 
@@ -142,15 +206,45 @@ std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits) {
   return {static_cast<int>(std::floor(snapped_x / subpixels)), static_cast<int>(std::floor(snapped_y / subpixels))};
 }
 
-void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex) {
-  const auto [x, y] = pixel_of_point(vertex.x, vertex.y, sink.subpixel_bits);
+void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px) {
   Fragment fragment;
-  fragment.x = x;
-  fragment.y = y;
   fragment.color = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors);
   fragment.color_lowest = fragment.color_highest = fragment.color;
-  fragment.depth = fragment.depth_lowest = fragment.depth_highest = vertex.z;
-  write_fragment(*sink.picture, sink.state, fragment);
+  fragment.depth = fragment.depth_lowest = fragment.depth_highest = vertex.z + sink.depth_offset;
+  if (sink.depth_offset != 0) {
+    fragment.depth_lowest -= sink.depth_slack;
+    fragment.depth_highest += sink.depth_slack;
+  }
+  const auto each_pixel = [&](int x0, int y0, int x1, int y1, const auto& coverage_of) {
+    for (fragment.y = y0; fragment.y < y1; ++fragment.y) {
+      for (fragment.x = x0; fragment.x < x1; ++fragment.x) {
+        fragment.coverage = coverage_of(fragment.x, fragment.y);
+        fragment.coverage_slack = sink.points.smooth && fragment.coverage < 1 ? disc_slack : 0;
+        if (fragment.coverage >= least_coverage) write_fragment(*sink.picture, sink.state, fragment);
+      }
+    }
+  };
+  const auto whole = [](int, int) { return 1.0; };
+  const double half = 0.5 * size_px;
+  const auto floor_of = [](double v) { return static_cast<int>(std::floor(v)); };
+  if (sink.points.smooth) {
+    return each_pixel(floor_of(vertex.x - half), floor_of(vertex.y - half), floor_of(vertex.x + half) + 1,
+                      floor_of(vertex.y + half) + 1,
+                      [&](int x, int y) { return disc_in_pixel({vertex.x, vertex.y}, half, x, y); });
+  }
+  if (sink.points.sprite) {
+    // The centres inside the square; left and bottom edges own theirs.
+    const auto first = [&](double edge) {
+      const double subpixels = std::ldexp(1.0, sink.subpixel_bits);
+      return static_cast<int>(std::ceil(std::nearbyint((edge - 0.5) * subpixels) / subpixels));
+    };
+    return each_pixel(first(vertex.x - half), first(vertex.y - half), first(vertex.x + half), first(vertex.y + half), whole);
+  }
+  // Rounded halves down (MESA-RULES 5.4): a square of that many pixels around the pixel, or around the nearest corner.
+  const int size = std::max(static_cast<int>(std::ceil(size_px - 0.5)), 1);
+  const double to_corner = size % 2 == 0 ? 0.5 : 0.0;
+  const auto [x, y] = pixel_of_point(vertex.x + to_corner, vertex.y + to_corner, sink.subpixel_bits);
+  each_pixel(x - size / 2, y - size / 2, x - size / 2 + size, y - size / 2 + size, whole);
 }
 
 }  // namespace gouraud::oracle

@@ -22,11 +22,14 @@ template <typename T>
 class Draw {
  public:
   Draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
-       OraclePicture& picture)
-      : state_(state) {
+       OraclePicture& picture, std::int64_t& stipple_count)
+      : state_(state), stipple_count_(stipple_count) {
     sink_.picture = &picture;
     sink_.state = state.raster;
     sink_.subpixel_bits = subpixel_bits<T>;
+    sink_.points = state.points;
+    sink_.lines = state.lines;
+    sink_.smooth_polygons = state.polygons.smooth;
     sink_.has_secondary = state.lighting.enabled && state.lighting.separate_specular;
     if (picture.depth_bits > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(picture.depth_bits);
 
@@ -36,14 +39,19 @@ class Draw {
       std::array<float, 4> position;
       for (std::size_t k = 0; k < 4; ++k) position[k] = batch.position_object[k][static_cast<std::size_t>(i)];
       vertices_.push_back({to_clip_space<T>(matrix, position), lighting.shade(i)});
+      sizes_.push_back(point_size(position));
     }
     picture.knife_edge_vertices += lighting.knife_edges();
   }
+
+  /// A Begin, or the next of independent lines.
+  void reset_stipple() { stipple_count_ = 0; }
 
   void draw(const Primitive& primitive) {
     const bool flat = state_.assembly.shade_model == pipeline::ShadeModel::flat;
     sink_.flat_colors = flat ? &vertex(primitive.provoking).colors : nullptr;
     sink_.face = front;
+    sink_.depth_offset = 0;
     switch (primitive.vertex_count) {
       case 1:
         draw_point(primitive);
@@ -62,14 +70,45 @@ class Draw {
   void draw_point(const Primitive& primitive) {
     const ClipVertex<T>& point = vertex(primitive.vertex[0]);
     if (!in_view_volume(point)) return;
-    if (const auto window = to_window_space(point, state_.viewport)) rasterize_point(sink_, *window);
+    if (const auto window = to_window_space(point, state_.viewport)) rasterize_point(sink_, *window, size_of(primitive, 0));
+  }
+
+  /// As attenuated by the distance from the eye [GL1.5 §3.3].
+  double point_size(const std::array<float, 4>& position_object) const {
+    const pipeline::PointState& points = state_.points;
+    if (!points.attenuated) return static_cast<double>(points.size_px);
+    double squared = 0;
+    for (int row = 0; row < 3; ++row) {
+      double component = 0;
+      for (int k = 0; k < 4; ++k) component += static_cast<double>(state_.transform.modelview[k][row]) * static_cast<double>(position_object[static_cast<std::size_t>(k)]);
+      squared += component * component;
+    }
+    const auto& [a, b, c] = std::array<double, 3>{points.attenuation.x, points.attenuation.y, points.attenuation.z};
+    const double size = static_cast<double>(points.size_px) * std::sqrt(1 / (a + b * std::sqrt(squared) + c * squared));
+    return std::min(std::max(size, static_cast<double>(points.smallest_px)), static_cast<double>(points.largest_px));
+  }
+  double size_of(const Primitive& primitive, std::size_t corner) const {
+    return sizes_[static_cast<std::size_t>(primitive.vertex[std::min<std::size_t>(corner, 2)])];
   }
 
   void draw_line(const std::array<ClipVertex<T>, 2>& line) {
+    // The stipple of a clipped line goes as that of the whole one: the specification leaves it open [GL1.5 §3.4.2].
+    const auto whole_a = to_window_space(line[0], state_.viewport), whole_b = to_window_space(line[1], state_.viewport);
+    const bool known = line[0].position[3] > 0 && line[1].position[3] > 0 && whole_a && whole_b;
+    const std::int64_t before = stipple_count_;
+    const auto fragments_between = [&](const WindowVertex& from, const WindowVertex& to) {
+      const bool steep = std::abs(whole_b->y - whole_a->y) > std::abs(whole_b->x - whole_a->x);
+      return std::llround(steep ? std::abs(to.y - from.y) : std::abs(to.x - from.x));
+    };
+    const bool inside = in_view_volume(line[0]) && in_view_volume(line[1]);
     const auto clipped = clip_line(line);
+    if (!inside && known) stipple_count_ = before + fragments_between(*whole_a, *whole_b);
     if (!clipped) return;
     const auto a = to_window_space((*clipped)[0], state_.viewport), b = to_window_space((*clipped)[1], state_.viewport);
-    if (a && b) rasterize_line(sink_, {*a, *b});
+    if (!a || !b) return;
+    if (inside) return rasterize_line(sink_, {*a, *b}, stipple_count_);
+    std::int64_t count = before + (known ? fragments_between(*whole_a, *a) : 0);
+    rasterize_line(sink_, {*a, *b}, count);
   }
 
   void draw_triangle(const Primitive& primitive) {
@@ -89,6 +128,7 @@ class Draw {
       return;
     }
 
+    if (!primitive.continues) reset_stipple();
     // Lines and points: facing by the area of the whole polygon, unsnapped [GL1.5 §2.14.1 eq 2.6].
     const int area_sign = sign(unsnapped_area(polygon));
     if (!select_face(area_sign)) return;
@@ -97,11 +137,13 @@ class Draw {
         fill(polygon, [area_sign](const auto&) { return area_sign; });
         break;
       case PolygonMode::line:
+        if (state_.polygons.offset_line) sink_.depth_offset = offset_of({polygon[0], polygon[1], polygon[2]});
         outline(polygon, clipped.boundary, clipped.is_cut);
         break;
       case PolygonMode::point:
+        if (state_.polygons.offset_point) sink_.depth_offset = offset_of({polygon[0], polygon[1], polygon[2]});
         for (std::size_t i = 0; i < polygon.size(); ++i) {
-          if (clipped.boundary[i]) rasterize_point(sink_, polygon[i]);
+          if (clipped.boundary[i]) rasterize_point(sink_, polygon[i], size_of(primitive, i));
         }
     }
   }
@@ -142,8 +184,14 @@ class Draw {
   void fill(const std::vector<WindowVertex>& polygon, AreaSign area_sign) {
     for (std::size_t i = 2; i < polygon.size(); ++i) {
       const std::array<WindowVertex, 3> triangle{polygon[i - 1], polygon[i], polygon[0]};
-      if (select_face(area_sign(triangle))) rasterize_triangle(sink_, triangle);
+      if (!select_face(area_sign(triangle))) continue;
+      sink_.depth_offset = state_.polygons.offset_fill ? offset_of(triangle) : 0.0;
+      rasterize_triangle(sink_, triangle);
     }
+  }
+
+  double offset_of(const std::array<WindowVertex, 3>& triangle) const {
+    return polygon_offset(state_.polygons, sink_.picture->depth_bits, triangle);
   }
 
   /// The specification says nothing of the order, which decides where edges meet in a pixel. Mesa draws the edges 2-0,
@@ -152,21 +200,39 @@ class Draw {
     const std::size_t n = polygon.size(), first = clipped ? 0 : n - 1;
     for (std::size_t k = 0; k < n; ++k) {
       const std::size_t i = (first + k) % n;
-      if (boundary[i]) rasterize_line(sink_, {polygon[i], polygon[(i + 1) % n]});
+      if (boundary[i]) rasterize_line(sink_, {polygon[i], polygon[(i + 1) % n]}, stipple_count_);
     }
   }
 
   const pipeline::DrawState& state_;
   FragmentSink sink_;
   std::vector<ClipVertex<T>> vertices_;
+  std::vector<double> sizes_;  ///< of points at the vertices
+  std::int64_t& stipple_count_;
 };
+
+/// Edge flags: of separate triangles, quads and polygons drawn as lines or points [GL1.5 §2.6.2].
+void apply_edge_flags(const pipeline::VertexBatch& batch, const pipeline::PrimitiveRange& range,
+                      const pipeline::AssemblyState& assembly, Primitive& primitive) {
+  using pipeline::PrimitiveMode;
+  const bool has_flags = range.mode == PrimitiveMode::triangles || range.mode == PrimitiveMode::quads || range.mode == PrimitiveMode::polygon;
+  const bool filled = assembly.polygon_mode_front == PolygonMode::fill && assembly.polygon_mode_back == PolygonMode::fill;
+  for (std::size_t i = 0; has_flags && !filled && i < 3; ++i) {
+    if (batch.edge_flag[static_cast<std::size_t>(primitive.vertex[i])] == 0) primitive.boundary_edges &= ~(1u << i);
+  }
+}
 
 template <typename T>
 void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
-                OraclePicture& picture) {
-  Draw<T> draw(state, batch, options, picture);
+                OraclePicture& picture, std::int64_t& stipple_count) {
+  Draw<T> draw(state, batch, options, picture, stipple_count);
   for (const pipeline::PrimitiveRange& range : batch.primitives) {
-    for (const Primitive& primitive : assemble(range, state.assembly)) draw.draw(primitive);
+    if (range.begins) draw.reset_stipple();
+    for (Primitive& primitive : assemble(range, state.assembly)) {
+      if (range.mode == pipeline::PrimitiveMode::lines) draw.reset_stipple();
+      apply_edge_flags(batch, range, state.assembly, primitive);
+      draw.draw(primitive);
+    }
   }
 }
 
@@ -201,9 +267,9 @@ void Oracle::target_changed(int width_px, int height_px, int depth_bits, int /*s
 
 void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) {
   if (options_.positions == PositionModel::snapped) {
-    draw_batch<float>(state, batch, options_, picture_);
+    draw_batch<float>(state, batch, options_, picture_, stipple_count_);
   } else {
-    draw_batch<double>(state, batch, options_, picture_);
+    draw_batch<double>(state, batch, options_, picture_, stipple_count_);
   }
 }
 

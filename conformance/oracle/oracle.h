@@ -47,7 +47,7 @@ struct OraclePixel {
 /// Facts about a pixel, OR-ed over all fragments that met it since its colour was last cleared.
 enum PixelFlags : std::uint8_t {
   pixel_covered = 1,  ///< a fragment was made here (inside the scissor box), whether it passed the depth test or not
-  /// A depth or alpha test hung on less than the legal error; `alternatives` holds the other outcomes if they differ.
+  /// A depth or alpha test, or a blended coverage, hung on less than the legal error; `alternatives` holds the other outcomes if they differ.
   pixel_depth_ambiguous = 2,
   /// A fragment's sample lies outside its unsnapped triangle (snapping covered it), where no specification says what
   /// its values are. Ours: the triangle's planes, kept inside the range of the vertices. Legal: any value that the
@@ -111,6 +111,7 @@ class Oracle : public pipeline::DrawObserver {
  private:
   OracleOptions options_;
   OraclePicture picture_;
+  std::int64_t stipple_count_ = 0;  ///< goes on where a batch was cut
 };
 
 }  // namespace gouraud::oracle

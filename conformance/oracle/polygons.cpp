@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "conformance/oracle/rasterize.h"
+#include "conformance/oracle/smooth.h"
 
 namespace gouraud::oracle {
 
@@ -135,6 +136,21 @@ void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragmen
 /// Barycentric coordinates of samples inside err by less.
 constexpr double rounding = 1e-12;
 
+void offset_and_write(const FragmentSink& sink, Fragment& fragment) {
+  fragment.depth += sink.depth_offset;
+  // The slope is known to within rounding alone.
+  const double slack = sink.depth_offset != 0 ? sink.depth_slack : 0.0;
+  fragment.depth_lowest += sink.depth_offset - slack;
+  fragment.depth_highest += sink.depth_offset + slack;
+  write_fragment(*sink.picture, sink.state, fragment);
+}
+
+/// By the polygon stipple [GL1.5 §3.5.2].
+bool is_kept(const FragmentSink& sink, int x, int y) {
+  const pipeline::PolygonStippleState& stipple = sink.state.polygon_stipple;
+  return !stipple.enabled || (stipple.rows[static_cast<std::size_t>(y & 31)] >> (x & 31) & 1) != 0;
+}
+
 void make_fragment(const FragmentSink& sink, const Interpolation& values, int x, int y) {
   const Vector3 weight = values.barycentric(x + 0.5, y + 0.5);
   Fragment fragment;
@@ -147,16 +163,58 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
   }
   fragment.depth_lowest = std::max(fragment.depth_lowest - sink.depth_slack, values.lowest_depth());
   fragment.depth_highest = std::min(fragment.depth_highest + sink.depth_slack, values.highest_depth());
-  write_fragment(*sink.picture, sink.state, fragment);
+  offset_and_write(sink, fragment);
+}
+
+/// Every pixel that shares an area with the triangle; data are the means over what is shared, that is (without
+/// perspective) those at its centroid [GL1.5 §3.5.3].
+void rasterize_smooth(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) {
+  const Interpolation values(sink, vertices);
+  Outline outline;
+  for (const WindowVertex& vertex : vertices) outline.push_back({vertex.x, vertex.y});
+  const auto [left, right] = std::ranges::minmax(outline, {}, &Place::x);
+  const auto [bottom, top] = std::ranges::minmax(outline, {}, &Place::y);
+  for (int y = static_cast<int>(std::floor(bottom.y)); y < top.y; ++y) {
+    for (int x = static_cast<int>(std::floor(left.x)); x < right.x; ++x) {
+      const Outline shared = clipped_to_pixel(outline, x, y);
+      const double area = area_of(shared);
+      if (area < least_coverage || !is_kept(sink, x, y)) continue;
+      const Place at = centroid_of(shared);
+      const Vector3 weight = values.barycentric(at.x, at.y);
+      Fragment fragment;
+      fragment.x = x;
+      fragment.y = y;
+      fragment.coverage = area;
+      fragment.coverage_slack = coverage_rounding;
+      fragment.color = fragment.color_lowest = fragment.color_highest = values.color(weight);
+      fragment.depth = values.depth(weight);
+      fragment.depth_lowest = fragment.depth - sink.depth_slack;
+      fragment.depth_highest = fragment.depth + sink.depth_slack;
+      offset_and_write(sink, fragment);
+    }
+  }
 }
 
 }  // namespace
+
+double polygon_offset(const pipeline::PolygonState& state, int depth_bits, const std::array<WindowVertex, 3>& vertices) {
+  const auto& [a, b, c] = vertices;
+  const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+  double slope = 0;
+  if (area != 0) {
+    const double dx = ((b.z - a.z) * (c.y - a.y) - (c.z - a.z) * (b.y - a.y)) / area;
+    const double dy = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / area;
+    slope = std::max(std::abs(dx), std::abs(dy));
+  }
+  return slope * static_cast<double>(state.offset_factor) + static_cast<double>(state.offset_units) / depth_units_of(depth_bits);
+}
 
 void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) {
   SubpixelPoint a = vertices[0].snapped, b = vertices[1].snapped;
   const SubpixelPoint c = vertices[2].snapped;
   const Integer area = doubled_area(a, b, c);
   if (area == 0) return;
+  if (sink.smooth_polygons) return rasterize_smooth(sink, vertices);
   if (area < 0) std::swap(a, b);
   const std::array<Edge, 3> edges{Edge(a, b), Edge(b, c), Edge(c, a)};
   const Interpolation values(sink, vertices);
@@ -173,7 +231,7 @@ void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex,
     for (std::int64_t x = x0; x <= x1; ++x) {
       const SubpixelPoint sample{x << sink.subpixel_bits, y << sink.subpixel_bits};
       const bool covered = std::ranges::all_of(edges, [&sample](const Edge& edge) { return edge.covers(sample); });
-      if (covered) make_fragment(sink, values, static_cast<int>(x), static_cast<int>(y));
+      if (covered && is_kept(sink, static_cast<int>(x), static_cast<int>(y))) make_fragment(sink, values, static_cast<int>(x), static_cast<int>(y));
     }
   }
 }

@@ -25,11 +25,20 @@ struct FragmentSink {
   Face face = front;
   bool has_secondary = false;  ///< colours are sums of primary and secondary [GL1.5 §3.9]
   double depth_slack = 0;      ///< in window z
+  double depth_offset = 0;     ///< of polygons, in window z [GL1.5 §3.5.5]
+  pipeline::PointState points{};
+  pipeline::LineState lines{};
+  bool smooth_polygons = false;
 };
 
+/// [GL1.5 §3.5.5 eqs 3.8, 3.9] of a triangle, in window z. r is one step of the depth buffer.
+double polygon_offset(const pipeline::PolygonState& state, int depth_bits, const std::array<WindowVertex, 3>& vertices);
+
 void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices);
-void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices);
-void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex);
+/// `stipple_count` fragments (or unit rectangles) of stippled lines came before [GL1.5 §3.4.2]; it is moved on.
+void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, std::int64_t& stipple_count);
+/// `size_px` is not rounded yet.
+void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px);
 
 /// Whether the segment from a to b makes a fragment at pixel (x, y) [GL1.5 §3.4.1].
 bool exits_diamond(const SubpixelPoint& a, const SubpixelPoint& b, int x, int y, int subpixel_bits);

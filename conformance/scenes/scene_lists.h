@@ -7,9 +7,11 @@ namespace gouraud::conformance {
 
 SceneList begin_end_scenes();        // §2.6.1
 SceneList large_begin_end_scenes();  // §2.6.1, tens of thousands of vertices
+SceneList edge_flag_scenes();        // §2.6.2
 SceneList vertex_scenes();           // §2.7
 SceneList vertex_array_scenes();     // §2.8
 SceneList buffer_object_scenes();    // §2.9
+SceneList rectangle_scenes();        // §2.10
 SceneList viewport_scenes();         // §2.11.1
 SceneList matrix_scenes();           // §2.11.2
 SceneList normal_scenes();           // §2.11.3
@@ -21,9 +23,15 @@ SceneList light_parameter_scenes();  // §2.14.2
 SceneList color_material_scenes();   // §2.14.3
 SceneList shading_scenes();          // §2.14.6, §2.14.7
 SceneList point_scenes();            // §3.3
+SceneList point_size_scenes();       // §3.3
 SceneList line_scenes();             // §3.4
+SceneList line_width_scenes();       // §3.4.2
+SceneList line_stipple_scenes();     // §3.4.2
 SceneList polygon_scenes();          // §3.5.1
+SceneList polygon_stipple_scenes();  // §3.5.2
 SceneList polygon_mode_scenes();     // §3.5.4
+SceneList polygon_offset_scenes();   // §3.5.5
+SceneList smooth_scenes();           // §3.11, §3.3.1, §3.4.2, §3.5.3
 SceneList color_sum_scenes();        // §3.9
 SceneList scissor_scenes();          // §4.1.2
 SceneList alpha_test_scenes();       // §4.1.4

@@ -63,7 +63,7 @@ void cover_corners(const SmoothShape& shape, std::int32_t x, std::int32_t y, Are
 
 /// The share of the disc around (0, 0) in the unit square whose lower left corner is (x, y).
 double disc_in_pixel(double x, double y, double radius) {
-  const int strips = radius < 2 ? 64 : 32;
+  constexpr int strips = 32;
   // Mirror, so that the square lies further up than to the right: strips are then cut where the circle is flat.
   x = std::abs(x + 0.5) - 0.5;
   y = std::abs(y + 0.5) - 0.5;
@@ -72,12 +72,15 @@ double disc_in_pixel(double x, double y, double radius) {
   const double near_x = std::max(x, 0.0), near_y = std::max(y, 0.0);
   if (far_x * far_x + far_y * far_y <= squared) return 1.0;
   if (near_x * near_x + near_y * near_y >= squared) return 0.0;
+  // Strips of that part of the square's width over which the disc reaches into it.
+  const double reach = std::sqrt(squared - near_y * near_y);
+  const double left = std::max(x, -reach), width = std::min(far_x, reach) - left;
   double area = 0;
   for (int strip = 0; strip < strips; ++strip) {
-    const double at = x + (strip + 0.5) / strips, half_chord = std::sqrt(std::max(squared - at * at, 0.0));
+    const double at = left + width * ((strip + 0.5) / strips), half_chord = std::sqrt(std::max(squared - at * at, 0.0));
     area += std::max(std::min(far_y, half_chord) - std::max(y, -half_chord), 0.0);
   }
-  return area / strips;
+  return area * width / strips;
 }
 
 void cover_disc(const SmoothShape& shape, std::int32_t x, std::int32_t y, Areas& area) {
