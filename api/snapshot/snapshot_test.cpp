@@ -114,6 +114,10 @@ struct View {
   bool ambient() const { return lit() && (!is_black(state.lighting.model_ambient) || any(&Light::ambient)); }
   bool front() const { return !state.polygon.cull_enabled || state.polygon.cull_face == GL_BACK; }
   bool back() const { return !state.polygon.cull_enabled || state.polygon.cull_face == GL_FRONT; }
+  bool draws(GLenum mode) const {
+    return (front() && state.polygon.front_mode == mode) || (back() && state.polygon.back_mode == mode);
+  }
+  bool has_offset() const { return state.polygon.offset_factor != 0.0f || state.polygon.offset_units != 0.0f; }
   bool two_sided() const { return lit() && state.lighting.model_two_side && back(); }
   bool follows(GLenum parameter, GLenum face) const {
     const LightingGroup& l = state.lighting;
@@ -298,6 +302,54 @@ void add_rasterization(std::vector<Parameter>& list) {
                   [](const View& v) { return v.back(); }});
 }
 
+void add_points_and_lines(std::vector<Parameter>& list) {
+  const auto another = [](float size) { return size < 20.0f ? size + 2.0f : 2.0f; };
+  list.push_back({"point size", [=](State& s, Random&) { s.point.size_px = another(s.point.size_px); }, always});
+  list.push_back({"point smooth", [](State& s, Random&) { s.point.smooth_enabled ^= true; },
+                  [](const View& v) { return !v.state.point.sprite_enabled; }});
+  list.push_back({"point sprite", [](State& s, Random&) { s.point.sprite_enabled ^= true; }, always});
+  list.push_back({"point attenuation",
+                  [](State& s, Random& r) { s.point.distance_attenuation = glm::vec3(2.0f, number(r), number(r)); }, always});
+  list.push_back({"point fade threshold", [](State& s, Random&) { s.point.fade_threshold_px += 1.0f; },
+                  [](const View&) { return false; }});
+  list.push_back({"line width", [=](State& s, Random&) { s.line.width_px = another(s.line.width_px); }, always});
+  list.push_back({"line smooth", [](State& s, Random&) { s.line.smooth_enabled ^= true; }, always});
+  list.push_back({"line stipple", [](State& s, Random&) { s.line.stipple_enabled ^= true; },
+                  [](const View& v) { return v.state.line.stipple_pattern != 0xFFFF; }});
+  list.push_back({"line stipple pattern",
+                  [](State& s, Random& r) {
+                    s.line.stipple_pattern = s.line.stipple_pattern != 0xFFFF ? 0xFFFF : static_cast<GLushort>(pick(r, 0xFFFF));
+                  },
+                  [](const View& v) { return v.state.line.stipple_enabled; }});
+  list.push_back({"line stipple factor", [](State& s, Random& r) { s.line.stipple_factor += 1 + pick(r, 8); },
+                  [](const View& v) {
+                    const LineGroup& line = v.state.line;
+                    return line.stipple_enabled && line.stipple_pattern != 0xFFFF && line.stipple_pattern != 0;
+                  }});
+}
+
+void add_polygons(std::vector<Parameter>& list) {
+  list.push_back({"polygon smooth", [](State& s, Random&) { s.polygon.smooth_enabled ^= true; },
+                  [](const View& v) { return v.draws(GL_FILL); }});
+  list.push_back({"polygon stipple", [](State& s, Random&) { s.polygon.stipple_enabled ^= true; },
+                  [](const View& v) { return v.state.polygon_stipple != PolygonStippleGroup{}; }});
+  list.push_back({"polygon stipple pattern", [](State& s, Random& r) { s.polygon_stipple.rows[7] ^= 1u + static_cast<std::uint32_t>(pick(r, 1000)); },
+                  [](const View& v) { return v.state.polygon.stipple_enabled; }});
+  list.push_back({"polygon offset fill", [](State& s, Random&) { s.polygon.offset_fill_enabled ^= true; },
+                  [](const View& v) { return v.depth() && v.has_offset() && v.draws(GL_FILL); }});
+  list.push_back({"polygon offset line", [](State& s, Random&) { s.polygon.offset_line_enabled ^= true; },
+                  [](const View& v) { return v.depth() && v.has_offset() && v.draws(GL_LINE); }});
+  list.push_back({"polygon offset point", [](State& s, Random&) { s.polygon.offset_point_enabled ^= true; },
+                  [](const View& v) { return v.depth() && v.has_offset() && v.draws(GL_POINT); }});
+  const auto is_offset = [](const View& v) {
+    const PolygonGroup& p = v.state.polygon;
+    return v.depth() && ((p.offset_fill_enabled && v.draws(GL_FILL)) || (p.offset_line_enabled && v.draws(GL_LINE)) ||
+                         (p.offset_point_enabled && v.draws(GL_POINT)));
+  };
+  list.push_back({"polygon offset factor", [](State& s, Random& r) { s.polygon.offset_factor += number(r); }, is_offset});
+  list.push_back({"polygon offset units", [](State& s, Random& r) { s.polygon.offset_units += number(r); }, is_offset});
+}
+
 void add_framebuffer(std::vector<Parameter>& list) {
   list.push_back({"scissor box", [](State& s, Random&) { s.scissor.x += 1; },
                   [](const View& v) { return v.state.scissor.enabled; }});
@@ -401,6 +453,8 @@ std::vector<Parameter> all_parameters() {
   add_transform(list);
   add_lighting(list);
   add_rasterization(list);
+  add_points_and_lines(list);
+  add_polygons(list);
   add_framebuffer(list);
   add_alpha_test(list);
   add_blending(list);

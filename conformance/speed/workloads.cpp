@@ -228,6 +228,58 @@ Frame layers_in_perspective(const GlTable& gl) {
   return draw_quads(gl, std::move(quads));
 }
 
+struct ColoredVertex {
+  Vec3 color, position;
+};
+
+/// Draws `vertices` in the order given, between one Begin and End, depth tested.
+Frame colored_frame(GLenum mode, std::vector<ColoredVertex> vertices) {
+  return [mode, vertices = std::move(vertices)](const GlTable& table) {
+    table.Clear(color_and_depth);
+    table.Begin(mode);
+    for (const ColoredVertex& vertex : vertices) {
+      table.Color3fv(vertex.color.data());
+      table.Vertex3fv(vertex.position.data());
+    }
+    table.End();
+  };
+}
+
+Vec3 random_color(Random& random) {
+  const float red = random.next(), green = random.next();
+  return {red, green, random.next()};
+}
+
+/// 100,000 lines of width 1 and 10 to 40 pixels, in every direction.
+Frame lines(const GlTable& gl) {
+  constexpr int count = 100'000;
+  std::vector<ColoredVertex> vertices;
+  Random random;
+  for (int i = 0; i < count; ++i) {
+    const float x = random.between(-3.4f, 3.4f), y = random.between(-1.9f, 1.9f), z = random.between(-5.0f, -4.0f);
+    const float angle = random.between(0.0f, 2.0f * pi), length = random.between(0.04f, 0.16f);
+    vertices.push_back({random_color(random), {x, y, z}});
+    vertices.push_back({random_color(random), {x + length * std::cos(angle), y + length * std::sin(angle), z}});
+  }
+  set_camera(gl);
+  gl.Enable(GL_DEPTH_TEST);
+  return colored_frame(GL_LINES, std::move(vertices));
+}
+
+/// 500,000 points of size 1 all over the picture, each of its own colour and depth.
+Frame points(const GlTable& gl) {
+  constexpr int count = 500'000;
+  std::vector<ColoredVertex> vertices;
+  Random random;
+  for (int i = 0; i < count; ++i) {
+    const float x = random.between(-3.4f, 3.4f), y = random.between(-1.9f, 1.9f);
+    vertices.push_back({random_color(random), {x, y, random.between(-5.0f, -4.0f)}});
+  }
+  set_camera(gl);
+  gl.Enable(GL_DEPTH_TEST);
+  return colored_frame(GL_POINTS, std::move(vertices));
+}
+
 /// 20,000 lit triangles, a change of state before each: of material, matrix, depth function or shade model in turn.
 Frame state_changes(const GlTable& gl) {
   constexpr int draws = 20'000;
@@ -285,6 +337,8 @@ const std::vector<Workload>& all_workloads() {
        layers_front_to_back},
       {"layers_in_perspective", "20 Gouraud layers, perspective", full_hd_width_px, full_hd_height_px,
        layers_in_perspective},
+      {"lines", "100,000 lines of width 1", full_hd_width_px, full_hd_height_px, lines},
+      {"points", "500,000 points of size 1", full_hd_width_px, full_hd_height_px, points},
       {"state_changes", "20,000 draws, a state change each", full_hd_width_px, full_hd_height_px, state_changes},
   };
   return workloads;

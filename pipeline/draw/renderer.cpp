@@ -124,6 +124,7 @@ struct Renderer::Implementation {
   ViewportState viewport;
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
   bool unfilled = false;
+  bool plain_points = false;
   ClipAttributes clip_attributes;
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
@@ -264,6 +265,11 @@ void Renderer::Implementation::draw_smooth_line(const AssembledLine& line) {
 
 void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   if (vertices.outcode[point.vertex] != 0) return;
+  if (plain_points && point.depth_offset == 0) {
+    WaitingPoint waiting;
+    if (select_point(*setup, vertices, point, waiting)) bins.add_point(*setup, waiting);
+    return;
+  }
   const auto& eye = vertices.position_eye;
   const float size_px = derived_point_size(setup->points, eye[0][point.vertex], eye[1][point.vertex], eye[2][point.vertex]);
   auto* shape = setup->points.smooth ? new (bins.allocate(sizeof(SmoothShape))) SmoothShape : nullptr;
@@ -303,6 +309,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   self.viewport = state.viewport;
   self.mode_front = state.assembly.polygon_mode_front;
   self.mode_back = state.assembly.polygon_mode_back;
+  self.plain_points = are_plain_points(*self.setup);
   self.unfilled = self.mode_front != PolygonMode::fill || self.mode_back != PolygonMode::fill;
   self.clip_attributes = {plan.eye_positions, plan.colors, self.setup->two_sided, self.setup->separate_specular};
   self.dirty = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>
@@ -140,6 +141,40 @@ void TileBins::add_polygon(const PrimitiveRecord& record) {
   }
 }
 
+void TileBins::add_point(const SetupState& state, const WaitingPoint& point) {
+  const std::int32_t tile = point.y / tile_size * target_->tiles_x + point.x / tile_size;
+  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
+  if (!bin.empty() && bin.back().kind == EntryKind::points) {
+    PointChunk& chunk = *static_cast<PointChunk*>(const_cast<void*>(bin.back().what));
+    if (chunk.state == &state && chunk.count < PointChunk::capacity) {
+      chunk.point[static_cast<std::size_t>(chunk.count++)] = point;
+      return;
+    }
+  }
+  auto* chunk = new (arena_.allocate(sizeof(PointChunk))) PointChunk;
+  chunk->state = &state;
+  chunk->point[0] = point;
+  chunk->count = 1;
+  add(tile, {chunk, nullptr, 0, EntryKind::points});
+}
+
+/// The points one after the other: a later one may hide or blend with an earlier one of its pixel.
+void TileBins::run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels) {
+  alignas(64) std::array<std::byte, sizeof(ColoredPrimitive)> memory;
+  const auto& record = *reinterpret_cast<const PrimitiveRecord*>(memory.data());
+  FragmentBlock block;
+  block.primitive = &record;
+  for (const WaitingPoint& point : std::span(chunk.point).first(static_cast<std::size_t>(chunk.count))) {
+    setup_waiting_point(*chunk.state, point, memory.data());
+    const std::int32_t column = point.x - x, row = point.y - y;
+    block.x = x + column / block_size * block_size;
+    block.y = y + row / block_size * block_size;
+    block.first_pixel = (row / block_size * blocks_per_tile_row + column / block_size) * pixels_per_block;
+    block.coverage = std::uint64_t{1} << (row % block_size * block_size + column % block_size);
+    run_passes(record.binding->passes, block, pixels);
+  }
+}
+
 void TileBins::add_smooth(const PrimitiveRecord& record) {
   for (std::int32_t y = record.y0 / tile_size; y <= (record.y1 - 1) / tile_size; ++y) {
     for (std::int32_t x = record.x0 / tile_size; x <= (record.x1 - 1) / tile_size; ++x) {
@@ -236,6 +271,7 @@ void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
     switch (entry.kind) {
       case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
+      case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
       case EntryKind::smooth: rasterize_smooth(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
       case EntryKind::triangle: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
       case EntryKind::blocks: {

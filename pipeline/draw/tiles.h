@@ -59,6 +59,7 @@ class TileBins {
   void add_triangle(const WaitingTriangle& triangle);
   /// Every pixel inside the record's edges and box.
   void add_polygon(const PrimitiveRecord& record);
+  void add_point(const SetupState& state, const WaitingPoint& point);
   /// Every pixel of the record's box that its smooth shape touches.
   void add_smooth(const PrimitiveRecord& record);
   /// Fragments at these pixels, each once; those outside `scissor` are left out.
@@ -73,14 +74,15 @@ class TileBins {
 
  private:
   /// A small triangle waits for its setup by the tile, a polygon has been set up because many tiles share it.
-  enum class EntryKind : std::uint8_t { triangle, polygon, smooth, blocks, clear };
+  enum class EntryKind : std::uint8_t { triangle, polygon, smooth, points, blocks, clear };
   struct Entry {
-    const void* what = nullptr;  ///< WaitingTriangle, ClearState, or the others' PrimitiveRecord
+    const void* what = nullptr;  ///< WaitingTriangle, PointChunk, ClearState, or the others' PrimitiveRecord
     const BlockMask* blocks = nullptr;
     std::int32_t block_count = 0;
     EntryKind kind = EntryKind::polygon;
   };
   void add(std::int32_t tile, const Entry& entry);
+  static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);
   void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
   void run_tile(std::int32_t tile, PolygonRasterizer rasterize);
   /// Entry `i` of the bin and the triangles of equal state right after it. Returns the number of entries done.

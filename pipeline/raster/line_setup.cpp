@@ -154,6 +154,29 @@ LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices
   return LinePixels::edges;
 }
 
+bool are_plain_points(const SetupState& state) {
+  const PointState& points = state.points;
+  return points.size_px == 1.0f && !points.smooth && !points.sprite && !points.attenuated && state.binding->varyings.count == 0;
+}
+
+bool select_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, WaitingPoint& out) {
+  const WindowVertex& vertex = vertices.window[point.vertex];
+  const PixelRect pixel = box_of_point(state, vertex, 1.0f);
+  if (intersection(pixel, state.scissor).empty()) return false;
+  out.x = static_cast<std::int16_t>(pixel.x0);
+  out.y = static_cast<std::int16_t>(pixel.y0);
+  out.z = vertex.z;
+  if (state.colors) out.color = color_of_vertex(state, vertices, state.flat ? point.provoking : point.vertex, point.back);
+  return true;
+}
+
+void setup_waiting_point(const SetupState& state, const WaitingPoint& point, void* memory) {
+  PrimitiveRecord& record = new_record(state, memory);
+  record.depth.origin = std::clamp(static_cast<double>(point.z), 0.0, 1.0) * state.targets.depth_scale;
+  record.depth.minimum = record.depth.maximum = static_cast<float>(record.depth.origin);
+  if (state.colors) make_constant_color(point.color, state.targets, reinterpret_cast<ColoredPrimitive*>(memory)->color);
+}
+
 double length_of(const ProcessedVertices& vertices, const AssembledLine& line) {
   const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
   const double dx = static_cast<double>(v1.x) - v0.x, dy = static_cast<double>(v1.y_raster) - v0.y_raster;

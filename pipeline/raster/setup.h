@@ -125,6 +125,27 @@ double length_of(const ProcessedVertices& vertices, const AssembledLine& line);
 /// deviation: the distance is that from the eye, as the specification says; Mesa takes |z_eye| (MESA-RULES 5.4).
 float derived_point_size(const PointState& points, float x, float y, float z);
 
+/// A plain point of one pixel, as it waits in the bins: many of them share a chunk, and the tile makes their records.
+struct WaitingPoint {
+  Rgba color;
+  float z;             ///< window depth
+  std::int16_t x, y;   ///< its pixel
+};
+static_assert(sizeof(WaitingPoint) == 32);
+struct alignas(64) PointChunk {
+  static constexpr std::int32_t capacity = 31;
+  const SetupState* state = nullptr;
+  std::int32_t count = 0;
+  std::array<WaitingPoint, capacity> point;
+};
+
+/// Whether points of this draw may wait like that: one pixel each, and nothing that varies but colour and depth.
+bool are_plain_points(const SetupState& state);
+/// False if it misses the scissor box.
+bool select_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, WaitingPoint& out);
+/// The record of a waiting point, in `record`: record_size bytes.
+void setup_waiting_point(const SetupState& state, const WaitingPoint& point, void* record);
+
 /// Sets up a point of this size [GL1.5 §3.3]: its record has a box; `shape` becomes the disc of a smooth one,
 /// and is not used by others. False if it misses the
 /// scissor box. choice: a size is rounded to the nearest integer, halves down, and the position to 1/256 pixel, halves
