@@ -3,6 +3,7 @@
 
 #include "api/commands/begin_end.h"
 #include "api/commands/clamped.h"
+#include "api/commands/render_mode.h"
 #include "api/commands/state_rows.h"
 
 namespace gouraud::api {
@@ -51,6 +52,7 @@ void RasterPos4f(Context& context, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   raster.color = vertex.color;
   raster.secondary_color = opaque(state.lighting.enabled ? vertex.specular : clamped(current.secondary_color));
   raster.texture_coordinates = current.texture_coordinates;
+  select_raster_position(context);
 }
 
 void WindowPos3f(Context& context, GLfloat x, GLfloat y, GLfloat z) {
@@ -64,6 +66,8 @@ void WindowPos3f(Context& context, GLfloat x, GLfloat y, GLfloat z) {
   raster.color = clamped(current.color);
   raster.secondary_color = opaque(clamped(current.secondary_color));
   raster.texture_coordinates = current.texture_coordinates;
+  context.flush_vertices();
+  select_raster_position(context);
 }
 
 std::span<const StateRow> raster_position_rows() {

@@ -41,6 +41,7 @@ std::span<const StateRow> display_list_rows();
 std::span<const StateRow> raster_position_rows();
 std::span<const StateRow> evaluator_rows();
 std::span<const StateRow> pixel_rows();  // pixel transfer, maps, zoom
+std::span<const StateRow> render_mode_rows();
 
 /// `value` as an integer: rounded to nearest, or for normalized values by Table 4.6; the nearest integer if it is out
 /// of range, 0 if NaN.

@@ -184,6 +184,12 @@ void GetPointerv(Context& context, GLenum pname, void** params) {
   const VertexArrayGroup& group = context.state.vertex_arrays;
   const auto give = [&](int name) { *params = const_cast<void*>(group.at(name).pointer); };
   switch (pname) {
+    case GL_FEEDBACK_BUFFER_POINTER:
+      *params = context.state.render_mode.feedback.buffer.memory;
+      return;
+    case GL_SELECTION_BUFFER_POINTER:
+      *params = context.state.render_mode.selection.buffer.memory;
+      return;
     case GL_VERTEX_ARRAY_POINTER:
       return give(array_vertex);
     case GL_NORMAL_ARRAY_POINTER:

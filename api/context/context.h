@@ -125,6 +125,9 @@ class Context {
   long texture_uses(const pipeline::Texture& texture) const;
   TextureProxies texture_proxies{};
 
+  /// Of selection and feedback; null while the mode is GL_RENDER. The renderer's receiver.
+  std::unique_ptr<pipeline::PrimitiveReceiver> primitive_receiver;
+
   State state;
   AttributeStacks attribute_stacks;
   Immediate immediate;

@@ -41,7 +41,19 @@ pipeline::DepthState depth_state(const DepthGroup& group, const TargetInfo& targ
   return {true, group.write_enabled && func != pipeline::CompareFunc::never, func};
 }
 
+// What selection and feedback want of vertices [GL1.5 §5.2, §5.3].
+pipeline::ReportState report_state(const RenderModeState& render_mode) {
+  const bool feedback = render_mode.mode == GL_FEEDBACK;
+  const GLenum type = render_mode.feedback.type;
+  return {.enabled = render_mode.mode != GL_RENDER, .colors = feedback && type != GL_2D && type != GL_3D};
+}
+
 pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
+  if (const auto report = report_state(state.render_mode); report.enabled) {
+    pipeline::RasterState nothing;
+    nothing.color_write_mask = report.colors ? 0xF : 0;
+    return nothing;
+  }
   const std::uint8_t mask = color_write_mask(state.color_buffer, target);
   pipeline::RasterState result{writable_rect(state.scissor, target), depth_state(state.depth, target), mask,
                                alpha_test_state(state.color_buffer), blend_state(state.color_buffer, mask),
@@ -56,14 +68,15 @@ pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
   if (colors_matter && state.lighting.shade_model == GL_FLAT) result.shade_model = pipeline::ShadeModel::flat;
   if (polygon.cull_enabled) result.cull = cull_mode(polygon.cull_face);
 
-  // A culled face has no mode, and one that nothing tells from the other has no direction.
+  // A culled face has no mode, selection knows none, and one that nothing tells from the other has no direction.
   const bool front_drawn = result.cull == pipeline::CullMode::none || result.cull == pipeline::CullMode::back;
   const bool back_drawn = result.cull == pipeline::CullMode::none || result.cull == pipeline::CullMode::front;
-  if (front_drawn) result.polygon_mode_front = polygon_mode(polygon.front_mode);
-  if (back_drawn) result.polygon_mode_back = polygon_mode(polygon.back_mode);
+  const bool modes = state.render_mode.mode != GL_SELECT;
+  if (front_drawn && modes) result.polygon_mode_front = polygon_mode(polygon.front_mode);
+  if (back_drawn && modes) result.polygon_mode_back = polygon_mode(polygon.back_mode);
   const bool two_sided = colors_matter && state.lighting.enabled && state.lighting.model_two_side;
   const bool faces_differ =
-      front_drawn != back_drawn || (front_drawn && (polygon.front_mode != polygon.back_mode || two_sided));
+      front_drawn != back_drawn || (front_drawn && (result.polygon_mode_front != result.polygon_mode_back || two_sided));
   if (faces_differ && polygon.front_face == GL_CW) result.front_face = pipeline::FrontFace::cw;
   return result;
 }
@@ -107,22 +120,27 @@ bool normals_matter(const pipeline::LightingState& lighting) {
 void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
                        pipeline::DrawState& draw_state) {
   const pipeline::RasterState old_raster = draw_state.raster;
+  const pipeline::ReportState old_report = draw_state.report;
+  draw_state.report = report_state(state.render_mode);
+  if (draw_state.report != old_report) dirty = dirty_all;
   if (dirty & dirty_raster) draw_state.raster = raster_state(state, target);
   const bool colors_matter = draw_state.raster.needs_colors();
   if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting | dirty_textures;
-  const bool depth_matters = draw_state.raster.depth.test_enabled;
+  const bool reported = draw_state.report.enabled;
+  const bool depth_matters = draw_state.raster.depth.test_enabled || reported;
   if (depth_matters != old_raster.depth.test_enabled) dirty |= dirty_viewport | dirty_assembly;
 
   if (dirty & dirty_textures) {
-    draw_state.texturing = colors_matter ? texturing_state(state) : pipeline::TexturingState();
+    draw_state.texturing = colors_matter && !reported ? texturing_state(state) : pipeline::TexturingState();
   }
 
   const pipeline::CullMode old_cull = draw_state.assembly.cull;
   if (dirty & (dirty_assembly | dirty_lighting)) draw_state.assembly = assembly_state(state, colors_matter);
   if (dirty & dirty_assembly) {
-    draw_state.points = point_state(state.point);
-    draw_state.lines = line_state(state.line);
-    draw_state.polygons = polygon_state(state.polygon, draw_state.assembly, depth_matters);
+    draw_state.points = reported ? pipeline::PointState{} : point_state(state.point);
+    draw_state.lines = reported ? pipeline::LineState{} : line_state(state.line);
+    draw_state.polygons =
+        reported ? pipeline::PolygonState{} : polygon_state(state.polygon, draw_state.assembly, depth_matters);
   }
   if (draw_state.assembly.cull != old_cull) dirty |= dirty_lighting;
 

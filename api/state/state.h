@@ -13,6 +13,7 @@
 #include "api/state/pixel.h"
 #include "api/state/pixel_store.h"
 #include "api/state/rasterization.h"
+#include "api/state/render_mode.h"
 #include "api/state/texture.h"
 #include "api/state/transform.h"
 #include "api/state/vertex_arrays.h"
@@ -80,6 +81,7 @@ struct State : AttributeGroups, ClientAttributeGroups {
   MatrixStacks matrices;
   EvaluatorMaps maps;
   PixelMaps pixel_maps;
+  RenderModeState render_mode;
   bool operator==(const State&) const = default;
 };
 

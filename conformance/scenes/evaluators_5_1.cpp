@@ -2,7 +2,8 @@
 //
 // Where a scene is judged by Mesa its control points are small whole numbers and its grid is of quarters: all vertices
 // are then exact floats, whichever way they are summed. Mesa sums others in float, we in double: those scenes are the
-// oracle's, which gets our vertices.
+// oracle's, which gets our vertices. So are filled meshes: the specification has them drawn as quad strips, Mesa draws
+// triangle strips, whose diagonals run the other way.
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/shapes.h"
 
@@ -208,7 +209,14 @@ void in_a_display_list(const GlTable& gl) {
   for (int i = 0; i <= 4; ++i) gl.EvalPoint2(i, 4);
   gl.EvalCoord2f(1, 0.25f);
   gl.End();
-  gl.EvalMesh2(GL_FILL, 0, 4, 0, 2);
+  for (int j = 0; j < 2; ++j) {
+    gl.Begin(GL_TRIANGLE_STRIP);
+    for (int i = 0; i <= 4; ++i) {
+      gl.EvalPoint2(i, j);
+      gl.EvalPoint2(i, j + 1);
+    }
+    gl.End();
+  }
   gl.EndList();
   gl.CallList(1);
 }
@@ -217,9 +225,10 @@ void in_a_display_list(const GlTable& gl) {
 
 SceneList evaluator_scenes() {
   return {
-      {"eval_mesh_fill", "§5.1", "A bicubic patch in four colours, 4 x 4 quads.", Judge::polygons, 256, 256,
+      {"eval_mesh_fill", "§5.1", "A bicubic patch in four colours, 4 x 4 quads.", Judge::oracle_only, 256, 256,
        colored_mesh},
-      {"eval_mesh_parts", "§5.1", "Parts of the same patch upside down.", Judge::polygons, 256, 256, part_of_a_grid},
+      {"eval_mesh_parts", "§5.1", "Parts of the same patch upside down.", Judge::oracle_only, 256, 256,
+       part_of_a_grid},
       {"eval_mesh_line", "§5.1", "The patch as a net of lines.", Judge::lines_and_points, 256, 256, wire_mesh},
       {"eval_mesh_point", "§5.1", "The patch as 65 x 65 points.", Judge::oracle_only, 256, 256, point_mesh},
       {"eval_auto_normal", "§5.1", "A lit hill with automatic normals.", Judge::oracle_only, 256, 256,
@@ -232,7 +241,7 @@ SceneList evaluator_scenes() {
        Judge::oracle_only, 256, 256, curves},
       {"eval_order_30", "§5.1", "A crumpled patch of order 30 with a fringe of white vertices.", Judge::oracle_only, 256,
        256, highest_order},
-      {"eval_display_list", "§5.1", "The first patch from a display list: a fan above, quads below.", Judge::polygons,
+      {"eval_display_list", "§5.1", "The first patch from a display list: a fan above, strips below.", Judge::polygons,
        256, 256, in_a_display_list},
   };
 }

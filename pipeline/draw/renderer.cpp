@@ -117,6 +117,7 @@ struct Renderer::Implementation {
   TileBins bins;
   std::vector<std::shared_ptr<const void>> kept;  ///< until the bins have run
   DrawObserver* observer = nullptr;
+  PrimitiveReceiver* receiver = nullptr;
   bool dirty = false;
 
   // Of the batch being drawn.
@@ -291,6 +292,8 @@ void Renderer::set_target(Framebuffer* target) {
   set_observer(implementation_->observer);
 }
 
+void Renderer::set_receiver(PrimitiveReceiver* receiver) { implementation_->receiver = receiver; }
+
 void Renderer::set_observer(DrawObserver* observer) {
   implementation_->observer = observer;
   if (const Framebuffer* target = this->target(); observer != nullptr && target != nullptr) {
@@ -301,6 +304,11 @@ void Renderer::set_observer(DrawObserver* observer) {
 void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
   Implementation& self = *implementation_;
   if (target() == nullptr) return;
+  if (plan.reports) {
+    if (self.receiver == nullptr) return;
+    self.run_vertex_stages(state, plan, batch);
+    return report_primitives(state, plan, batch, self.vertices, *self.receiver);
+  }
   if (self.observer != nullptr) self.observer->draw(state, batch);
   if (!plan.draws) return;
 

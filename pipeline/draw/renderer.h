@@ -10,6 +10,7 @@
 #include "pipeline/draw/draw_observer.h"
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/plan.h"
+#include "pipeline/draw/primitive_report.h"
 #include "pipeline/framebuffer/framebuffer.h"
 #include "pipeline/geometry/vertex_batch.h"
 
@@ -51,6 +52,8 @@ class Renderer {
   /// True if something was drawn or cleared since the last call of this function: the OSMesa copy-out asks.
   bool take_dirty();
 
+  /// Who gets the primitives of reporting plans; null: nobody. Not owned.
+  void set_receiver(PrimitiveReceiver* receiver);
   /// Null removes it. Not owned.
   void set_observer(DrawObserver* observer);
 

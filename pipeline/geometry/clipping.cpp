@@ -28,7 +28,7 @@ float distance(const ProcessedVertices& vertices, std::uint16_t index, std::uint
   return is_upper(plane) ? -coordinate + w : coordinate + w;
 }
 
-/// Vertex numbers, and whether the edge from each vertex to the next is a boundary edge.
+/// Vertex numbers, and whether the edge from each vertex to the next is a boundary edge: what is left of a triangle.
 struct Polygon {
   static constexpr std::size_t capacity = 3 + max_clip_vertices;
   std::size_t size = 0;
@@ -73,6 +73,7 @@ std::uint16_t intersect(ProcessedVertices& vertices, const ClipAttributes& attri
 
 /// The part of the polygon on the plane's inner side. False if a distance is infinite, or if rounding has bent the
 /// polygon so much that the new vertices do not fit.
+template <class Polygon>
 bool clip_to_plane(const Polygon& in, std::uint32_t plane, const ClipAttributes& attributes, std::int32_t room_end,
                    ProcessedVertices& vertices, Polygon& out) {
   out.size = 0;
@@ -91,10 +92,10 @@ bool clip_to_plane(const Polygon& in, std::uint32_t plane, const ClipAttributes&
 }
 
 /// Clips against the planes in `outcodes`; the result is in `polygon`. False if nothing is left.
-bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, ProcessedVertices& vertices,
-                  Polygon& polygon) {
+template <class Polygon>
+bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, std::int32_t room_end,
+                  ProcessedVertices& vertices, Polygon& polygon) {
   if ((outcodes & outside_invalid) != 0) return false;
-  const std::int32_t room_end = vertices.count + max_clip_vertices;
   Polygon clipped;
   for (std::uint32_t plane = 0; plane < plane_count; ++plane) {
     if ((outcodes >> plane & 1) == 0) continue;
@@ -203,7 +204,7 @@ void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewp
     polygon.add(triangle.vertex[i], (triangle.edges >> i & 1) != 0);
     outcodes |= vertices.outcode[triangle.vertex[i]];
   }
-  bool drawable = clip_polygon(outcodes, attributes, vertices, polygon);
+  bool drawable = clip_polygon(outcodes, attributes, count + max_clip_vertices, vertices, polygon);
   for (std::size_t i = 0; drawable && i < polygon.size; ++i) {
     const std::uint16_t index = polygon.vertex[i];
     if (index >= count) drawable = project_vertex(viewport, vertices, index);
@@ -213,6 +214,23 @@ void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewp
   } else {
     vertices.count = count;
   }
+}
+
+bool clip_outline(Outline& outline, const ViewportState& viewport, const ClipAttributes& attributes,
+                  ProcessedVertices& vertices) {
+  const std::int32_t count = vertices.count;
+  std::uint32_t any = 0, all = ~0u;
+  for (std::size_t i = 0; i < outline.size; ++i) {
+    const std::uint32_t outcode = vertices.outcode[outline.vertex[i]];
+    any |= outcode;
+    all &= outcode;
+  }
+  bool left = all == 0 && (any == 0 || clip_polygon(any, attributes, processed_stride, vertices, outline));
+  for (std::size_t i = 0; left && i < outline.size; ++i) {
+    if (outline.vertex[i] >= count) left = project_vertex(viewport, vertices, outline.vertex[i]);
+  }
+  if (!left) vertices.count = count;
+  return left;
 }
 
 bool clip_line(AssembledLine& line, const ViewportState& viewport, const ClipAttributes& attributes,

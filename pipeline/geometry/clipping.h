@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pipeline/draw/draw_state.h"
+#include "pipeline/geometry/outlines.h"
 #include "pipeline/geometry/processed_vertices.h"
 
 namespace gouraud::pipeline {
@@ -25,6 +26,11 @@ inline constexpr int max_clip_vertices = 2 * (6 + max_clip_planes);
 /// deviation: edges that run along the clip volume are boundary edges [GL1.5 §2.12]; Mesa does not draw them.
 void clip_triangle(const AssembledTriangle& triangle, const ViewportState& viewport, const ClipAttributes& attributes,
                    ProcessedVertices& vertices, std::vector<AssembledTriangle>& out);
+
+/// Cuts a whole polygon in the same way, with all the room that `vertices` have; false if nothing is left, or if a
+/// polygon that is not convex makes more vertices than there is room for.
+bool clip_outline(Outline& outline, const ViewportState& viewport, const ClipAttributes& attributes,
+                  ProcessedVertices& vertices);
 
 /// Cuts a line some of whose vertices have outcodes; new vertices as for triangles. False if nothing is left.
 /// deviation: intersections come from exact sums, rounded once, so that a line that passes through the clip volume is
