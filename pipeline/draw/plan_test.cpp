@@ -162,5 +162,35 @@ TEST(Plan, OfGearsHoldsNothingThatTheSceneDoesNotNeed) {
             "  write color: 8 bits  [GL1.5 §4.2.2]\n");
 }
 
+TEST(Plan, OfSmoothLinesMultipliesAlphaByCoverage) {
+  DrawState state = unlit();
+  state.lines.smooth = true;
+  state.lines.width_px = 1.5f;
+  EXPECT_EQ(stages(state), (Stages{"transform to clip space", "clamp vertex colors", "clip and project", "rasterize", "smooth lines",
+                                   "coverage", "write color"}));
+  EXPECT_NE(describe(make_plan(state, window), state, window).find("smooth lines: width 1.5"), std::string::npos);
+}
+
+TEST(Plan, OfAStippledPolygonMasksFirst) {
+  DrawState state = unlit();
+  state.raster.polygon_stipple.enabled = true;
+  const Plan plan = make_plan(state, window);
+  EXPECT_TRUE(plan.polygon_stipple);
+  EXPECT_EQ(plan.fragment.count, 2);
+}
+
+TEST(Plan, OfAttenuatedPointsNeedsEyePositions) {
+  DrawState state = unlit();
+  state.points.attenuated = true;
+  EXPECT_TRUE(make_plan(state, window).eye_positions);
+}
+
+TEST(Plan, OfPolygonsThatAreNotFilledNeedsEdgeFlags) {
+  DrawState state = unlit();
+  EXPECT_EQ(make_plan(state, window).vertex_demand & attribute_edge_flag, 0u);
+  state.assembly.polygon_mode_back = PolygonMode::line;
+  EXPECT_NE(make_plan(state, window).vertex_demand & attribute_edge_flag, 0u);
+}
+
 }  // namespace
 }  // namespace gouraud::pipeline
