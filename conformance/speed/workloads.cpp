@@ -228,10 +228,6 @@ Frame layers_in_perspective(const GlTable& gl) {
   return draw_quads(gl, std::move(quads));
 }
 
-struct ColoredVertex {
-  Vec3 color, position;
-};
-
 /// Draws `vertices` in the order given, between one Begin and End, depth tested.
 Frame colored_frame(GLenum mode, std::vector<ColoredVertex> vertices) {
   return [mode, vertices = std::move(vertices)](const GlTable& table) {
