@@ -125,7 +125,7 @@ struct Renderer::Implementation {
   ViewportState viewport;
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
   bool unfilled = false;
-  bool plain_points = false;
+  bool plain_points = false, plain_lines = false;
   ClipAttributes clip_attributes;
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
@@ -231,6 +231,13 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
 /// A line inside the clip volume.
 void Renderer::Implementation::draw_clipped_line(const AssembledLine& line) {
   if (setup->lines.smooth) return draw_smooth_line(line);
+  if (plain_lines && line.depth_offset == 0) {
+    auto* waiting = static_cast<WaitingLine*>(bins.allocate(sizeof(WaitingLine)));
+    const LinePixels found = select_line(*setup, vertices, line, *waiting);
+    if (found == LinePixels::edges) return bins.add_line(*waiting);
+    bins.take_back(sizeof(WaitingLine));
+    if (found == LinePixels::none) return;
+  }
   const std::size_t bytes = record_size(*setup);
   void* memory = bins.allocate(bytes);
   const auto& record = *static_cast<PrimitiveRecord*>(memory);
@@ -318,6 +325,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   self.mode_front = state.assembly.polygon_mode_front;
   self.mode_back = state.assembly.polygon_mode_back;
   self.plain_points = are_plain_points(*self.setup);
+  self.plain_lines = are_plain_lines(*self.setup);
   self.unfilled = self.mode_front != PolygonMode::fill || self.mode_back != PolygonMode::fill;
   self.clip_attributes = {plan.eye_positions, plan.colors, self.setup->two_sided, self.setup->separate_specular};
   self.dirty = true;

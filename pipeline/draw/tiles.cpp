@@ -141,6 +141,19 @@ void TileBins::add_polygon(const PrimitiveRecord& record) {
   }
 }
 
+void TileBins::add_line(const WaitingLine& line) {
+  const std::int32_t first_x = line.x0 / tile_size, last_x = (line.x1 - 1) / tile_size;
+  const std::int32_t first_y = line.y0 / tile_size, last_y = (line.y1 - 1) / tile_size;
+  if ((last_x - first_x + 1) * (last_y - first_y + 1) > few_tiles) {
+    void* record = arena_.allocate(record_size(*line.state));
+    setup_waiting_line(line, record);
+    return add_polygon(*static_cast<PrimitiveRecord*>(record));
+  }
+  for (std::int32_t y = first_y; y <= last_y; ++y) {
+    for (std::int32_t x = first_x; x <= last_x; ++x) add(y * target_->tiles_x + x, {&line, nullptr, 0, EntryKind::line});
+  }
+}
+
 void TileBins::add_point(const SetupState& state, const WaitingPoint& point) {
   const std::int32_t tile = point.y / tile_size * target_->tiles_x + point.x / tile_size;
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
@@ -225,7 +238,9 @@ bool TileBins::full() const {
 
 void TileBins::prefetch(const Entry& entry) const {
   const auto* bytes = static_cast<const std::byte*>(entry.what);
-  const std::size_t size = entry.kind == EntryKind::triangle ? sizeof(WaitingTriangle) : sizeof(ColoredPrimitive);
+  static_assert(sizeof(WaitingTriangle) == sizeof(WaitingLine));
+  const bool waits = entry.kind == EntryKind::triangle || entry.kind == EntryKind::line;
+  const std::size_t size = waits ? sizeof(WaitingTriangle) : sizeof(ColoredPrimitive);
   for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
 }
 
@@ -271,6 +286,12 @@ void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
     switch (entry.kind) {
       case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
+      case EntryKind::line: {
+        alignas(64) std::array<std::byte, sizeof(ColoredPrimitive)> memory;
+        setup_waiting_line(*static_cast<const WaitingLine*>(entry.what), memory.data());
+        rasterize(*reinterpret_cast<const PrimitiveRecord*>(memory.data()), x, y, pixels);
+        break;
+      }
       case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
       case EntryKind::smooth: rasterize_smooth(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
       case EntryKind::triangle: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;

@@ -59,6 +59,7 @@ class TileBins {
   void add_triangle(const WaitingTriangle& triangle);
   /// Every pixel inside the record's edges and box.
   void add_polygon(const PrimitiveRecord& record);
+  void add_line(const WaitingLine& line);
   void add_point(const SetupState& state, const WaitingPoint& point);
   /// Every pixel of the record's box that its smooth shape touches.
   void add_smooth(const PrimitiveRecord& record);
@@ -74,9 +75,9 @@ class TileBins {
 
  private:
   /// A small triangle waits for its setup by the tile, a polygon has been set up because many tiles share it.
-  enum class EntryKind : std::uint8_t { triangle, polygon, smooth, points, blocks, clear };
+  enum class EntryKind : std::uint8_t { triangle, line, polygon, smooth, points, blocks, clear };
   struct Entry {
-    const void* what = nullptr;  ///< WaitingTriangle, PointChunk, ClearState, or the others' PrimitiveRecord
+    const void* what = nullptr;  ///< WaitingTriangle, WaitingLine, PointChunk, ClearState, or the others' PrimitiveRecord
     const BlockMask* blocks = nullptr;
     std::int32_t block_count = 0;
     EntryKind kind = EntryKind::polygon;

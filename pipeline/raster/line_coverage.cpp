@@ -106,8 +106,9 @@ std::array<EdgeFunction, 2> LineCoverage::edges() const {
 
 PixelRect LineCoverage::box() const {
   const auto [low, high] = std::minmax(minor_a_, minor_b_);
-  const PixelPosition least = pixel(first_drawn_, floor_of_pixels(low + half_pixel) - 1);
-  const PixelPosition most = pixel(end_drawn_, floor_of_pixels(high + half_pixel) + 1 + width_);
+  // A tie may take the lowest row down by one.
+  const PixelPosition least = pixel(first_drawn_, floor_of_pixels(low + half_pixel - 1));
+  const PixelPosition most = pixel(end_drawn_, floor_of_pixels(high + half_pixel) + width_);
   return {least.x, least.y, most.x, most.y};
 }
 

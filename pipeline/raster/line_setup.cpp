@@ -41,10 +41,8 @@ bool set_box(const SetupState& state, const PixelRect& box, PrimitiveRecord& rec
 }
 
 /// A line's depth and colour: they vary along the line by t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.3].
-PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
-                                   void* memory) {
-  const WindowVertex& v0 = vertices.window[line.vertex[0]];
-  const WindowVertex& v1 = vertices.window[line.vertex[1]];
+PrimitiveRecord& write_line_record(const SetupState& state, const WindowVertex& v0, const WindowVertex& v1,
+                                   const std::array<Rgba, 2>& colors, double depth_offset, void* memory) {
   PrimitiveRecord& record = new_record(state, memory);
   const double height = state.target_height_px;
   const Point2 p0{v0.x, height - v0.y_raster}, p1{v1.x, height - v1.y_raster};
@@ -53,16 +51,12 @@ PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVerti
   const GradientBasis basis{p0, {dx * scale, dy * scale}, {0, 0}};
   std::array<ShadedVertex, 3> shaded{ShadedVertex{&v0, {}}, ShadedVertex{&v1, {}}, ShadedVertex{&v1, {}}};
   record.depth = make_depth_plane(basis, shaded, state.targets);
-  offset_depth(line.depth_offset, state.targets, record.depth);
+  offset_depth(depth_offset, state.targets, record.depth);
   if (!state.colors) return record;
 
   ColorRecord& color = reinterpret_cast<ColoredPrimitive*>(memory)->color;
-  if (state.flat) {
-    make_constant_color(color_of_vertex(state, vertices, line.provoking, line.back), state.targets, color);
-    return record;
-  }
-  shaded[0].color = color_of_vertex(state, vertices, line.vertex[0], line.back);
-  shaded[1].color = shaded[2].color = color_of_vertex(state, vertices, line.vertex[1], line.back);
+  shaded[0].color = colors[0];
+  shaded[1].color = shaded[2].color = colors[1];
   make_color_planes(basis, shaded, state.targets, color);
   // Beyond an end a line is extrapolated too, up to what a color can be; in perspective only up to the ends' colors,
   // because 1/w may pass zero there.
@@ -72,6 +66,28 @@ PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVerti
     color.maximum.fill(state.targets.color_scale);
   }
   return record;
+}
+
+std::array<Rgba, 2> colors_of_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line) {
+  if (!state.colors) return {};
+  const auto color = [&](std::size_t end) {
+    return color_of_vertex(state, vertices, state.flat ? line.provoking : line.vertex[end], line.back);
+  };
+  return {color(0), color(1)};
+}
+
+PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
+                                   void* memory) {
+  return write_line_record(state, vertices.window[line.vertex[0]], vertices.window[line.vertex[1]],
+                           colors_of_line(state, vertices, line), line.depth_offset, memory);
+}
+
+struct SnappedLine {
+  SubpixelPoint a, b;
+};
+SnappedLine snapped(const SetupState& state, const WindowVertex& v0, const WindowVertex& v1) {
+  const std::int64_t top = (static_cast<std::int64_t>(state.target_height_px) - 1) * subpixels;
+  return {{snap(v0.x), top - snap(v0.y_raster)}, {snap(v1.x), top - snap(v1.y_raster)}};
 }
 
 PrimitiveRecord& write_point_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point,
@@ -133,10 +149,7 @@ PixelRect box_of_sprite(const SetupState& state, const WindowVertex& vertex, flo
 
 LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
                       StippleCount& count, void* memory, std::vector<PixelPosition>& pixels) {
-  const WindowVertex& v0 = vertices.window[line.vertex[0]];
-  const WindowVertex& v1 = vertices.window[line.vertex[1]];
-  const std::int64_t top = (static_cast<std::int64_t>(state.target_height_px) - 1) * subpixels;
-  const SubpixelPoint a{snap(v0.x), top - snap(v0.y_raster)}, b{snap(v1.x), top - snap(v1.y_raster)};
+  const auto [a, b] = snapped(state, vertices.window[line.vertex[0]], vertices.window[line.vertex[1]]);
   if (a == b) return LinePixels::none;
   const LineCoverage coverage(a, b, static_cast<std::int32_t>(state.lines.width_px));
   if (state.lines.stipple_pattern != 0xFFFF || !coverage.is_simple()) {
@@ -152,6 +165,37 @@ LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices
   const auto edges = coverage.edges();
   record.edges = {edges[0], edges[1], {}};
   return LinePixels::edges;
+}
+
+bool are_plain_lines(const SetupState& state) {
+  return !state.lines.smooth && state.lines.stipple_pattern == 0xFFFF && state.binding->varyings.count == 0;
+}
+
+LinePixels select_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, WaitingLine& out) {
+  const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
+  const auto [a, b] = snapped(state, v0, v1);
+  if (a == b) return LinePixels::none;
+  const LineCoverage coverage(a, b, static_cast<std::int32_t>(state.lines.width_px));
+  if (!coverage.is_simple()) return LinePixels::list;
+  const PixelRect box = intersection(coverage.box(), state.scissor);
+  if (box.empty()) return LinePixels::none;
+  out.window = {v0, v1};
+  out.color = colors_of_line(state, vertices, line);
+  out.state = &state;
+  out.x0 = static_cast<std::int16_t>(box.x0);
+  out.y0 = static_cast<std::int16_t>(box.y0);
+  out.x1 = static_cast<std::int16_t>(box.x1);
+  out.y1 = static_cast<std::int16_t>(box.y1);
+  return LinePixels::edges;
+}
+
+void setup_waiting_line(const WaitingLine& line, void* memory) {
+  const SetupState& state = *line.state;
+  PrimitiveRecord& record = write_line_record(state, line.window[0], line.window[1], line.color, 0.0, memory);
+  set_box(state, {line.x0, line.y0, line.x1, line.y1}, record);
+  const auto [a, b] = snapped(state, line.window[0], line.window[1]);
+  const auto edges = LineCoverage(a, b, static_cast<std::int32_t>(state.lines.width_px)).edges();
+  record.edges = {edges[0], edges[1], {}};
 }
 
 bool are_plain_points(const SetupState& state) {

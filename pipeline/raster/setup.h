@@ -114,6 +114,22 @@ enum class LinePixels : std::uint8_t {
 LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
                       StippleCount& count, void* record, std::vector<PixelPosition>& pixels);
 
+/// A line before its setup, a quarter of a record: as for triangles, more of them meet in a tile while it is in the cache.
+struct alignas(64) WaitingLine {
+  std::array<WindowVertex, 2> window;
+  std::array<Rgba, 2> color;  ///< flat: both are the provoking vertex's
+  const SetupState* state;
+  std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
+};
+static_assert(sizeof(WaitingLine) == 128);
+
+/// Whether lines of this draw may wait like that: not smooth, not stippled, and nothing varies but colour and depth.
+bool are_plain_lines(const SetupState& state);
+/// `edges`: `out` is to wait. `list`: setup_line has to list its pixels.
+LinePixels select_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, WaitingLine& out);
+/// The record of a waiting line, in `record`: record_size bytes.
+void setup_waiting_line(const WaitingLine& line, void* record);
+
 /// A smooth line, or a stretch of it [GL1.5 §3.4.2]: `begin`, `end` in pixels from its start. False if it draws nothing.
 bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
                        double end, void* record, SmoothShape& shape);
