@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/commands/buffer_selection.h"
 #include "api/commands/enables.h"
 #include "api/commands/lighting.h"
 
@@ -112,6 +113,7 @@ void PushAttrib(Context& context, GLbitfield mask) {
   }
   sync_color_material(context.state);
   SavedAttributes saved{mask, context.state, {}};
+  saved.groups.color_buffer.draw_buffer = context.framebuffers.draw->draw_buffer;
   if ((mask & GL_TEXTURE_BIT) != 0) saved.texture_parameters = parameters_of_bound_textures(context.state.texture);
   stack.push_back(std::move(saved));
 }
@@ -127,6 +129,7 @@ void PopAttrib(Context& context) {
   }
   if ((saved.mask & GL_TEXTURE_BIT) != 0) restore_textures(context, saved);
   if ((saved.mask & GL_ENABLE_BIT) != 0) restore_enables(groups, saved.groups);
+  if ((saved.mask & GL_COLOR_BUFFER_BIT) != 0) restore_draw_buffer(context, saved.groups.color_buffer.draw_buffer);
   stack.pop_back();
   context.change(dirty_all);
 }

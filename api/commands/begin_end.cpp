@@ -6,6 +6,7 @@ namespace gouraud::api {
 
 void Begin(Context& context, GLenum mode) {
   if (mode > GL_POLYGON) return context.record_error(GL_INVALID_ENUM, "glBegin", "mode is no primitive mode");
+  if (!context.can_draw("glBegin")) return;
   context.begin_primitive(primitive_mode(mode));
 }
 

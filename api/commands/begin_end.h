@@ -7,7 +7,7 @@
 
 namespace gouraud::api {
 
-/// GL_INVALID_ENUM for an unknown mode.
+/// GL_INVALID_ENUM for an unknown mode, GL_INVALID_FRAMEBUFFER_OPERATION for an incomplete framebuffer.
 void Begin(Context& context, GLenum mode);
 
 /// GL_INVALID_OPERATION without a Begin.

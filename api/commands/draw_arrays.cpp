@@ -176,6 +176,7 @@ void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t 
     }
     return glEnd();
   }
+  if (!context.can_draw("glDrawArrays")) return;
   const CurrentGroup before = context.state.current;
   context.begin_primitive(primitive_mode(mode));
   try {

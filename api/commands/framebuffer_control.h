@@ -23,7 +23,7 @@ void ClearDepth(Context& context, GLdouble depth);
 void ClearStencil(Context& context, GLint s);
 void ClearIndex(Context& context, GLfloat c);
 
-/// GL_INVALID_VALUE for a bit that is no buffer. A buffer that the target lacks is left out.
+/// GL_INVALID_VALUE for a bit that is no buffer, GL_INVALID_FRAMEBUFFER_OPERATION for an incomplete framebuffer. A buffer that the target lacks is left out.
 void Clear(Context& context, GLbitfield mask);
 
 }  // namespace gouraud::api

@@ -18,21 +18,17 @@ void read_line_range(const Context&, StateValue& v) {
   set(v, min_line_width, max_line_width);
 }
 
+// 8 bits to a byte, four components a pixel.
+template <int channel>
 void read_color_bits(const Context& c, StateValue& v) {
-  set(v, pipeline::bytes_per_pixel(c.target_info().format.color) * 2);  // 8 bits to a byte, four components a pixel
+  const TargetInfo target = c.target_info();
+  const bool exists = (target.color_channels >> channel & 1) != 0;
+  set(v, exists ? pipeline::bytes_per_pixel(target.format.color) * 2 : 0);
 }
 
 void read_depth_bits(const Context& c, StateValue& v) {
-  switch (c.target_info().format.depth) {
-    case pipeline::DepthFormat::none:
-      return set(v, 0);
-    case pipeline::DepthFormat::z16:
-      return set(v, 16);
-    case pipeline::DepthFormat::z24s8:
-      return set(v, 24);
-    case pipeline::DepthFormat::z32f:
-      return set(v, 32);
-  }
+  const TargetInfo target = c.target_info();
+  set(v, target.has_depth ? pipeline::depth_bits(target.format.depth) : 0);
 }
 
 void read_stencil_bits(const Context& c, StateValue& v) {
@@ -60,19 +56,34 @@ constexpr StateRow rows[] = {
     {GL_SMOOTH_LINE_WIDTH_RANGE, real, 2, read_line_range},
     {GL_SMOOTH_LINE_WIDTH_GRANULARITY, real, 1, [](const Context&, StateValue& v) { set(v, line_width_granularity); }},
 
+    {GL_MAX_RENDERBUFFER_SIZE, integer, 1, read_constant<max_renderbuffer_size>},
+    {GL_MAX_COLOR_ATTACHMENTS, integer, 1, read_constant<max_color_attachments>},
+    {GL_MAX_SAMPLES, integer, 1, read_constant<max_samples>},
+
+    {GL_DRAW_FRAMEBUFFER_BINDING, integer, 1,
+     [](const Context& c, StateValue& v) { set(v, c.framebuffers.draw->name); }},
+    {GL_READ_FRAMEBUFFER_BINDING, integer, 1,
+     [](const Context& c, StateValue& v) { set(v, c.framebuffers.read->name); }},
+    {GL_RENDERBUFFER_BINDING, integer, 1,
+     [](const Context& c, StateValue& v) {
+       const auto& bound = c.framebuffers.renderbuffer;
+       set(v, bound != nullptr ? bound->name : 0);
+     }},
+
     {GL_RGBA_MODE, boolean, 1, read_constant<true>},
     {GL_INDEX_MODE, boolean, 1, read_constant<false>},
     {GL_DOUBLEBUFFER, boolean, 1, read_constant<false>},
-    {GL_DRAW_BUFFER, integer, 1, read_constant<GL_FRONT>},
-    {GL_READ_BUFFER, integer, 1, read_constant<GL_FRONT>},
+    {GL_DRAW_BUFFER, integer, 1, [](const Context& c, StateValue& v) { set(v, c.framebuffers.draw->draw_buffer); }},
+    {GL_READ_BUFFER, integer, 1, [](const Context& c, StateValue& v) { set(v, c.framebuffers.read->read_buffer); }},
     {GL_STEREO, boolean, 1, read_constant<false>},
     {GL_AUX_BUFFERS, integer, 1, read_constant<0>},
-    {GL_SAMPLE_BUFFERS, integer, 1, read_constant<0>},
-    {GL_SAMPLES, integer, 1, read_constant<0>},
-    {GL_RED_BITS, integer, 1, read_color_bits},
-    {GL_GREEN_BITS, integer, 1, read_color_bits},
-    {GL_BLUE_BITS, integer, 1, read_color_bits},
-    {GL_ALPHA_BITS, integer, 1, read_color_bits},
+    {GL_SAMPLE_BUFFERS, integer, 1,
+     [](const Context& c, StateValue& v) { set(v, samples_of(*c.framebuffers.draw) > 0 ? 1 : 0); }},
+    {GL_SAMPLES, integer, 1, [](const Context& c, StateValue& v) { set(v, samples_of(*c.framebuffers.draw)); }},
+    {GL_RED_BITS, integer, 1, read_color_bits<0>},
+    {GL_GREEN_BITS, integer, 1, read_color_bits<1>},
+    {GL_BLUE_BITS, integer, 1, read_color_bits<2>},
+    {GL_ALPHA_BITS, integer, 1, read_color_bits<3>},
     {GL_INDEX_BITS, integer, 1, read_constant<0>},
     {GL_DEPTH_BITS, integer, 1, read_depth_bits},
     {GL_STENCIL_BITS, integer, 1, read_stencil_bits},

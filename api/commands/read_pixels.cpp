@@ -26,9 +26,10 @@ using pipeline::PackedLayout;
 
 /// GL_INVALID_OPERATION if the target has nothing of the kind.
 const char* missing(const Framebuffer& target, PixelKind kind) {
-  const bool has_depth = target.depth_format != DepthFormat::none, has_stencil = target.stencil_bits != 0;
+  const bool has_depth = target.has_depth, has_stencil = target.stencil_bits != 0;
   switch (kind) {
-    case PixelKind::color: return nullptr;
+    case PixelKind::color:
+      return target.color_format != ColorFormat::none ? nullptr : "the read buffer is GL_NONE";
     case PixelKind::color_index: return "there are no color indices in RGBA mode";
     case PixelKind::depth: return has_depth ? nullptr : "there is no depth buffer";
     case PixelKind::stencil_index: return has_stencil ? nullptr : "there is no stencil buffer";
@@ -167,8 +168,8 @@ void read_other(const Context& context, const Framebuffer& target, const Transfe
 void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
                 void* pixels) {
   constexpr auto command = "glReadPixels";
-  if (context.target() == nullptr) return;
-  const Framebuffer& target = *context.target();
+  if (!context.can_read(command) || context.read_target() == nullptr) return;
+  const Framebuffer& target = *context.read_target();
   ClientImage image;
   if (!check_pack(context, command, {width, height}, format, type, pixels, image)) return;
   if (const char* const problem = missing(target, image.layout.kind)) {

@@ -229,6 +229,7 @@ bool make_vertex_run(DisplayList& list, std::size_t begin, GLenum mode) {
 
 void replay(Context& context, const VertexRun& run) {
   if (context.inside_begin_end()) return replay_one_by_one(context, run);
+  if (!context.can_draw("glBegin")) return set_last(context, run);
   try {
     context.begin_primitive(primitive_mode(run.mode));
     copy_vertices(context, run);

@@ -45,6 +45,8 @@ const char* error_name(GLenum error) {
       return "GL_STACK_OVERFLOW";
     case GL_STACK_UNDERFLOW:
       return "GL_STACK_UNDERFLOW";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
     case GL_OUT_OF_MEMORY:
       return "GL_OUT_OF_MEMORY";
     default:
@@ -81,12 +83,17 @@ Context::Context(const ContextConfig& config, Context* share_with)
       config_(config),
       buffer_names_(share_with != nullptr ? share_with->buffer_names_ : std::make_shared<BufferNames>()),
       texture_names_(share_with != nullptr ? share_with->texture_names_ : std::make_shared<TextureNames>()),
+      renderbuffer_names_(share_with != nullptr ? share_with->renderbuffer_names_
+                                                : std::make_shared<RenderbufferNames>()),
       renderer_(pipeline::default_thread_count()) {
   intercepting_ = tracing_calls_;
   for (std::size_t i = 0; i < texture_target_count; ++i) {
     default_textures_[i] = std::make_shared<TextureObject>(static_cast<TextureTarget>(i));
   }
   for (TextureUnit& unit : state.texture.units) unit.binding = default_textures_;
+  framebuffers.window = std::make_shared<FramebufferObject>();
+  framebuffers.window->draw_buffer = framebuffers.window->read_buffer = GL_FRONT;
+  framebuffers.draw = framebuffers.read = framebuffers.window;
 }
 
 Context::~Context() {
@@ -114,12 +121,12 @@ bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat
   try {
     auto fresh = std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, depth_format(config_),
                                                          config_.stencil_bits > 0 ? 8 : 0);
-    renderer_.set_target(fresh.get());
+    if (target() == window_.get()) renderer_.set_target(nullptr);
     window_ = std::move(fresh);
   } catch (const std::bad_alloc&) {
-    renderer_.set_target(window_.get());
     return false;
   }
+  update_targets();
   if (!had_window_) {
     state.viewport.width_px = state.scissor.width_px = width_px;
     state.viewport.height_px = state.scissor.height_px = height_px;
@@ -130,9 +137,16 @@ bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat
 }
 
 TargetInfo Context::target_info() const {
-  if (window_ == nullptr) return {};
-  const std::uint32_t stencil_mask = window_->stencil_bits > 0 ? (1u << window_->stencil_bits) - 1u : 0u;
-  return {window_->width_px, window_->height_px, {window_->color_format, window_->depth_format}, stencil_mask};
+  const pipeline::Framebuffer* const target = renderer_.target();
+  if (target == nullptr) return {};
+  const std::uint32_t stencil_mask = target->stencil_bits > 0 ? (1u << target->stencil_bits) - 1u : 0u;
+  const bool writes_color = framebuffers.draw->draw_buffer != GL_NONE;
+  return {target->width_px,
+          target->height_px,
+          {target->color_format, target->depth_format},
+          stencil_mask,
+          writes_color ? target->color_channels : std::uint8_t{0},
+          target->has_depth};
 }
 
 void Context::finish_rendering() {

@@ -8,13 +8,14 @@
 
 #include <GL/gl.h>
 
-#include "api/context/buffer_names.h"
 #include "api/context/display_list.h"
+#include "api/context/framebuffer_objects.h"
 #include "api/context/immediate.h"
 #include "api/context/object_names.h"
 #include "api/context/texture_proxies.h"
 #include "api/snapshot/snapshot.h"
 #include "api/state/attribute_stacks.h"
+#include "api/state/buffer_object.h"
 #include "api/state/state.h"
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/plan.h"
@@ -26,6 +27,14 @@ namespace gouraud::api {
 class Context;
 
 using TextureNames = ObjectNames<TextureObject>;
+using BufferNames = ObjectNames<BufferObject>;
+using RenderbufferNames = ObjectNames<Renderbuffer>;
+
+/// What is drawn into and read from [ARB_framebuffer_object]; the first three are never null.
+struct FramebufferBindings {
+  std::shared_ptr<FramebufferObject> window, draw, read;
+  std::shared_ptr<Renderbuffer> renderbuffer;
+};
 
 /// This thread's current context or null. Read it with current_context(), change it with make_current().
 extern constinit thread_local Context* current_context_pointer __attribute__((tls_model("initial-exec")));
@@ -79,8 +88,23 @@ class Context {
   /// finish_rendering().
   pipeline::Framebuffer* window() { return window_.get(); }
   /// What is drawn into, and what is read from: null if it does not exist.
-  pipeline::Framebuffer* target() { return window_.get(); }
-  pipeline::Framebuffer* read_target() { return window_.get(); }
+  pipeline::Framebuffer* target() { return renderer_.target(); }
+  pipeline::Framebuffer* read_target() { return read_target_; }
+  /// True if something was drawn into the window system's framebuffer since the last call.
+  bool take_window_dirty();
+
+  /// What GL_DRAW_FRAMEBUFFER and its like are bound to. Whoever changes a binding, an attachment, an attached picture, a
+  /// draw or a read buffer calls update_targets() then.
+  FramebufferBindings framebuffers;
+  ObjectNames<FramebufferObject> framebuffer_names;
+  void update_targets();
+  /// GL_FRAMEBUFFER_COMPLETE or what is wrong.
+  GLenum framebuffer_status(const FramebufferObject& framebuffer) const;
+  /// False, and GL_INVALID_FRAMEBUFFER_OPERATION is recorded, if the framebuffer that is drawn into (read from) is not
+  /// complete; nothing but a blit reads a multisampled one: GL_INVALID_OPERATION. True without a window: then there is no
+  /// target().
+  bool can_draw(const char* command);
+  bool can_read(const char* command);
   const ContextConfig& config() const { return config_; }
 
   /// The parts in `bits` (DirtyBits) of the state have changed. Pending vertices are not touched: they are drawn with
@@ -107,7 +131,7 @@ class Context {
 
   const pipeline::DrawState& draw_state() const { return draw_state_; }
   const pipeline::Plan& plan() const { return plan_; }
-  TargetInfo target_info() const;
+  TargetInfo target_info() const;  ///< of the framebuffer that is drawn into
 
   pipeline::Renderer& renderer() { return renderer_; }
 
@@ -124,6 +148,7 @@ class Context {
   /// How often the draw state, which keeps its textures alive, refers to this one.
   long texture_uses(const pipeline::Texture& texture) const;
   TextureProxies texture_proxies{};
+  RenderbufferNames& renderbuffer_names() { return *renderbuffer_names_; }
 
   /// Of selection and feedback; null while the mode is GL_RENDER. The renderer's receiver.
   std::unique_ptr<pipeline::PrimitiveReceiver> primitive_receiver;
@@ -152,9 +177,14 @@ class Context {
   std::shared_ptr<TextureNames> texture_names_;
   std::array<TextureBinding, texture_target_count> default_textures_;
   std::array<std::shared_ptr<const pipeline::Texture>, max_texture_units> held_textures_;  // of draw_state_.texturing
+  std::shared_ptr<RenderbufferNames> renderbuffer_names_;
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
   std::unique_ptr<pipeline::Framebuffer> window_;
+  bool window_dirty_ = false;  // besides what the renderer knows, if it draws into the window
+  bool draw_complete_ = true, read_complete_ = true;
+  pipeline::Framebuffer draw_view_, read_view_;  // of framebuffer objects
+  pipeline::Framebuffer* read_target_ = nullptr;
   pipeline::Renderer renderer_;
 };
 

@@ -88,7 +88,7 @@ bool osmesa_context::bind_buffer(void* pixels, GLenum type, GLsizei width_px, GL
   if (pixels == nullptr || !layout) return false;
   const bool same_picture = type == type_ && width_px == width_px_ && height_px == height_px_;
   if (!gl.set_window_size(width_px, height_px, stored_format(*layout))) return false;
-  if (!same_picture) gl.renderer().take_dirty();  // what was drawn into the old picture is gone
+  if (!same_picture) gl.take_window_dirty();  // what was drawn into the old picture is gone
   pixels_ = pixels;
   type_ = type;
   layout_ = *layout;
@@ -98,7 +98,7 @@ bool osmesa_context::bind_buffer(void* pixels, GLenum type, GLsizei width_px, GL
 }
 
 void osmesa_context::copy_out() {
-  if (pixels_ == nullptr || !gl.renderer().take_dirty()) return;
+  if (pixels_ == nullptr || !gl.take_window_dirty()) return;
   const int row_px = row_length_px > 0 ? row_length_px : width_px_;
   const std::ptrdiff_t stride = static_cast<std::ptrdiff_t>(row_px) * bytes_per_pixel(layout_);
   auto* const first_row = static_cast<std::byte*>(pixels_) + (y_up ? 0 : (height_px_ - 1) * stride);

@@ -30,12 +30,13 @@ pipeline::PixelRect writable_rect(const ScissorGroup& scissor, const TargetInfo&
 std::uint8_t color_write_mask(const ColorBufferGroup& group, const TargetInfo& target) {
   if (target.format.color == pipeline::ColorFormat::none) return 0;
   const auto& enabled = group.write_enabled;
-  return static_cast<std::uint8_t>(enabled[0] | enabled[1] << 1 | enabled[2] << 2 | enabled[3] << 3);
+  const auto mask = static_cast<std::uint8_t>(enabled[0] | enabled[1] << 1 | enabled[2] << 2 | enabled[3] << 3);
+  return mask & target.color_channels;
 }
 
 pipeline::DepthState depth_state(const DepthGroup& group, const TargetInfo& target) {
   const pipeline::CompareFunc func = compare_func(group.func);
-  const bool exists = group.test_enabled && target.format.depth != pipeline::DepthFormat::none;
+  const bool exists = group.test_enabled && target.has_depth && target.format.depth != pipeline::DepthFormat::none;
   if (!exists || (func == pipeline::CompareFunc::always && !group.write_enabled)) return {};
   // What never passes never writes.
   return {true, group.write_enabled && func != pipeline::CompareFunc::never, func};
@@ -175,7 +176,7 @@ pipeline::ClearState clear_state(const State& state, const TargetInfo& target, G
     result.color_write_mask = color_write_mask(state.color_buffer, target);
     result.clear_color = state.color_buffer.clear_color;
   }
-  if ((mask & GL_DEPTH_BUFFER_BIT) != 0 && state.depth.write_enabled &&
+  if ((mask & GL_DEPTH_BUFFER_BIT) != 0 && state.depth.write_enabled && target.has_depth &&
       target.format.depth != pipeline::DepthFormat::none) {
     result.depth = true;
     result.clear_depth = state.depth.clear_value;

@@ -27,6 +27,8 @@ struct TargetInfo {
   std::int32_t width_px = 0, height_px = 0;
   pipeline::TargetFormat format{};
   std::uint32_t stencil_mask = 0;  ///< 2^stencil bits - 1
+  std::uint8_t color_channels = 0xF;  ///< those that may be written: none if the draw buffer is GL_NONE
+  bool has_depth = true;  ///< false: format.depth, if any, is that of a plane of which only the stencil is used
 };
 
 /// Brings the parts of `draw_state` that `dirty` names up to date, and those that depend on them. Material parameters

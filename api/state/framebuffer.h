@@ -55,6 +55,7 @@ struct Blending {
 
 /// Attribute group COLOR_BUFFER_BIT.
 struct ColorBufferGroup {
+  GLenum draw_buffer = GL_FRONT;  ///< of a saved group; in force is the draw buffer of the framebuffer that is bound
   std::array<bool, 4> write_enabled{true, true, true, true};  ///< R, G, B, A
   glm::vec4 clear_color{0.0f};                                ///< in [0, 1]
   bool alpha_test_enabled = false;

@@ -27,16 +27,6 @@
 namespace gouraud::pipeline {
 namespace {
 
-int depth_bits(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::none: return 0;
-    case DepthFormat::z16: return 16;
-    case DepthFormat::z24s8: return 24;
-    case DepthFormat::z32f: return 32;
-  }
-  return 0;
-}
-
 /// What multiplies a depth in [0, 1] to give buffer units.
 double depth_scale(DepthFormat format) {
   switch (format) {

@@ -8,6 +8,7 @@
 #include <sys/mman.h>
 #endif
 
+#include "pipeline/framebuffer/clear.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -34,14 +35,27 @@ TiledBuffer::Storage::Storage(std::size_t tiles, std::size_t bytes)
 
 TiledBuffer::Storage::~Storage() { std::free(block); }
 
-TiledBuffer::TiledBuffer(int width, int height, int bytes)
+TiledBuffer::TiledBuffer(int width, int height, int bytes, int planes)
     : width_px_(width), height_px_(height), tiles_per_row_(tiles_across(width)), bytes_per_pixel_(bytes) {
-  const std::size_t tiles = static_cast<std::size_t>(tiles_per_row_) * static_cast<std::size_t>(tiles_across(height));
+  const std::size_t tiles = tiles_per_plane() * static_cast<std::size_t>(planes);
   const std::size_t size = tiles * pixels_per_tile * static_cast<std::size_t>(bytes);
   if (size == 0) return;
   storage_ = std::make_shared<Storage>(tiles, size);
   pixels_ = storage_->pixels;
   waiting_clears_ = storage_->waiting_clears.get();
+}
+
+std::size_t TiledBuffer::tiles_per_plane() const {
+  return static_cast<std::size_t>(tiles_per_row_) * static_cast<std::size_t>(tiles_across(height_px_));
+}
+
+TiledBuffer TiledBuffer::plane(int index) const {
+  TiledBuffer other = *this;
+  if (empty()) return other;
+  const std::size_t tiles = tiles_per_plane() * static_cast<std::size_t>(index);
+  other.pixels_ = pixels_of(tiles);
+  other.waiting_clears_ = waiting_clears_ + tiles;
+  return other;
 }
 
 // One block, then copies of it, which the C library does at memory speed.
@@ -54,6 +68,25 @@ void TiledBuffer::carry_out_clear(std::size_t index) const {
   clear.waits = false;
 }
 
+void Surface::allocate(int width, int height, int sample_count) {
+  const bool stencil_apart = has_stencil && depth_format != DepthFormat::z24s8;
+  Surface fresh = *this;
+  fresh.color = TiledBuffer(width, height, bytes_per_pixel(color_format), sample_count);
+  fresh.depth = TiledBuffer(width, height, bytes_per_pixel(depth_format), sample_count);
+  fresh.stencil = TiledBuffer(width, height, stencil_apart ? 1 : 0, sample_count);
+  fresh.width_px = width;
+  fresh.height_px = height;
+  fresh.samples = sample_count;
+  *this = fresh;
+  if ((channels & 0b1000) != 0 || color.empty()) return;
+  const ClearState opaque{.color = true, .scissor = {0, 0, width, height}, .clear_color = {0.0f, 0.0f, 0.0f, 1.0f}};
+  for (int sample = 0; sample < samples; ++sample) {
+    Framebuffer view(width, height, this, nullptr, nullptr);
+    view.color = color.plane(sample);
+    for (int tile = 0; tile < view.tile_count(); ++tile) clear_tile(view, tile, opaque);
+  }
+}
+
 Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthFormat depth_layout, int stencil_depth,
                          bool accumulates)
     : width_px(width),
@@ -62,10 +95,34 @@ Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthF
       tiles_y(tiles_across(height)),
       color_format(color_layout),
       depth_format(depth_layout),
+      has_depth(depth_layout != DepthFormat::none),
       stencil_bits(stencil_depth),
       color(width, height, pipeline::bytes_per_pixel(color_layout)),
       depth(width, height, pipeline::bytes_per_pixel(depth_layout)),
       stencil(width, height, stencil_depth > 0 && depth_layout != DepthFormat::z24s8 ? 1 : 0),
       accum(width, height, accumulates ? 4 * static_cast<int>(sizeof(float)) : 0) {}
+
+Framebuffer::Framebuffer(int width, int height, const Surface* color_surface, const Surface* depth_surface,
+                         const Surface* stencil_surface)
+    : width_px(width), height_px(height), tiles_x(tiles_across(width)), tiles_y(tiles_across(height)) {
+  if (color_surface != nullptr) {
+    color_format = color_surface->color_format;
+    color_channels = color_surface->channels;
+    color = color_surface->color;
+  }
+  if (depth_surface != nullptr) {
+    depth_format = depth_surface->depth_format;
+    depth = depth_surface->depth;
+    has_depth = true;
+  }
+  if (stencil_surface != nullptr) {
+    stencil_bits = 8;
+    stencil = stencil_surface->stencil;
+    if (stencil.empty() && depth.empty()) {
+      depth_format = stencil_surface->depth_format;
+      depth = stencil_surface->depth;
+    }
+  }
+}
 
 }  // namespace gouraud::pipeline

@@ -45,6 +45,16 @@ constexpr int bytes_per_pixel(DepthFormat format) {
   return 0;
 }
 
+constexpr int depth_bits(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::none: return 0;
+    case DepthFormat::z16: return 16;
+    case DepthFormat::z24s8: return 24;
+    case DepthFormat::z32f: return 32;
+  }
+  return 0;
+}
+
 /// The bytes of a pixel, repeated to fill 16: every format's pixels take 1, 2, 4, 8 or 16 bytes.
 using PixelBytes = std::array<std::uint8_t, 16>;
 
@@ -56,8 +66,11 @@ using PixelBytes = std::array<std::uint8_t, 16>;
 class TiledBuffer {
  public:
   TiledBuffer() = default;
-  /// Storage for width x height pixels of `bytes_per_pixel` bytes, all zero; throws std::bad_alloc.
-  TiledBuffer(int width_px, int height_px, int bytes_per_pixel);
+  /// Storage for `planes` planes (the samples of pixels, the slices of a texture) of width x height pixels of
+  /// `bytes_per_pixel` bytes, all zero; throws std::bad_alloc. The handle is to the first plane.
+  TiledBuffer(int width_px, int height_px, int bytes_per_pixel, int planes = 1);
+  /// The handle to another plane, counted from this one.
+  TiledBuffer plane(int index) const;
 
   /// The pixels of the tile at this place of the buffer's own grid of tiles: the one way to them.
   std::byte* tile(int tile_x, int tile_y) const {
@@ -68,14 +81,20 @@ class TiledBuffer {
   /// Where the tile's pixels lie, for prefetching: what is there may be out of date.
   const std::byte* tile_storage(int tile_x, int tile_y) const { return pixels_of(index_of(tile_x, tile_y)); }
   std::byte* pixel(int x, int y) const {
-    const int block = (y % tile_size / block_size) * blocks_per_tile_row + x % tile_size / block_size;
-    const int lane = (y % block_size) * block_size + x % block_size;
-    return tile(x / tile_size, y / tile_size) + static_cast<std::size_t>((block * pixels_per_block + lane) * bytes_per_pixel_);
+    return tile(x / tile_size, y / tile_size) + offset_in_tile(x, y);
+  }
+  /// The pixel for reading alone. Threads may read what lies in the same tile.
+  const std::byte* pixel_value(int x, int y) const {
+    const std::size_t index = index_of(x / tile_size, y / tile_size);
+    if (waiting_clears_[index].waits) return reinterpret_cast<const std::byte*>(waiting_clears_[index].value.data());
+    return pixels_of(index) + offset_in_tile(x, y);
   }
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
   int bytes_per_pixel() const { return bytes_per_pixel_; }
   bool empty() const { return pixels_ == nullptr; }
+  /// Whether both are the same plane.
+  bool operator==(const TiledBuffer& other) const { return storage_ == other.storage_ && pixels_ == other.pixels_; }
 
   /// Sets every pixel of the tile to `value`, sooner or later.
   void clear_tile(int tile_x, int tile_y, const PixelBytes& value) const {
@@ -114,6 +133,12 @@ class TiledBuffer {
   std::byte* pixels_of(std::size_t index) const {
     return pixels_ + index * pixels_per_tile * static_cast<std::size_t>(bytes_per_pixel_);
   }
+  std::size_t offset_in_tile(int x, int y) const {
+    const int block = (y % tile_size / block_size) * blocks_per_tile_row + x % tile_size / block_size;
+    const int lane = (y % block_size) * block_size + x % block_size;
+    return static_cast<std::size_t>((block * pixels_per_block + lane) * bytes_per_pixel_);
+  }
+  std::size_t tiles_per_plane() const;
   void carry_out_clear(std::size_t index) const;
 
   std::shared_ptr<Storage> storage_;
@@ -124,6 +149,23 @@ class TiledBuffer {
   int bytes_per_pixel_ = 0;
 };
 
+/// A picture that can be attached to framebuffers: a renderbuffer or a level of a texture. It has a colour plane, or
+/// planes of depth and stencil.
+struct Surface {
+  int width_px = 0, height_px = 0;  ///< 0: no picture
+  int samples = 1;                  ///< of each pixel: each has a plane of its own (TiledBuffer::plane)
+  ColorFormat color_format = ColorFormat::none;
+  /// The channels that the picture has, bit 0 red to bit 3 alpha. The others hold 0, alpha 1, and are never written.
+  std::uint8_t channels = 0xF;
+  DepthFormat depth_format = DepthFormat::none;  ///< of `depth`
+  bool has_depth = false, has_stencil = false;
+  TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
+
+  /// Gives the picture, whose formats are set, this size and new planes: all zero, but alpha 1 where it has none.
+  /// Throws std::bad_alloc, and nothing is changed.
+  void allocate(int width_px, int height_px, int samples = 1);
+};
+
 /// What is drawn into: a view of planes, which may be larger than it is and belong to other framebuffers as well. Pixel
 /// (0, 0) is that of each plane. Copies are other views of the same planes.
 struct Framebuffer {
@@ -132,16 +174,22 @@ struct Framebuffer {
   /// an accumulation buffer.
   Framebuffer(int width_px, int height_px, ColorFormat color_format, DepthFormat depth_format, int stencil_bits,
               bool accumulates = false);
+  /// A view of these surfaces (null: none), of a size that none of them is smaller than. Depth and stencil, if both are
+  /// there, share a plane or have one each.
+  Framebuffer(int width_px, int height_px, const Surface* color, const Surface* depth, const Surface* stencil);
 
   int width_px = 0, height_px = 0;
   int tiles_x = 0, tiles_y = 0;
   ColorFormat color_format = ColorFormat::none;
+  std::uint8_t color_channels = 0xF;  ///< those that the colour plane has: see Surface
   DepthFormat depth_format = DepthFormat::none;
+  bool has_depth = false;  ///< false, though depth_format may be z24s8, where only the stencil of such a plane is used
   int stencil_bits = 0;
   TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
   TiledBuffer accum;                  ///< R, G, B, A in [-1, 1] as floats [GL1.5 §4.2.4]; memory once it is used
 
   int tile_count() const { return tiles_x * tiles_y; }
+  bool operator==(const Framebuffer&) const = default;
 };
 
 }  // namespace gouraud::pipeline

@@ -1,0 +1,61 @@
+// Which framebuffer a context draws into and reads from, as the pipeline sees it.
+#include <utility>
+
+#include "api/context/context.h"
+
+namespace gouraud::api {
+
+GLenum Context::framebuffer_status(const FramebufferObject& framebuffer) const {
+  if (!framebuffer.is_window()) return completeness(framebuffer);
+  return window_ != nullptr ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNDEFINED;
+}
+
+// Pending vertices were given for the old target, which is still the renderer's: its views keep what was attached alive.
+void Context::update_targets() {
+  const FramebufferObject &draw = *framebuffers.draw, &read = *framebuffers.read;
+  read_complete_ = read.is_window() || completeness(read) == GL_FRAMEBUFFER_COMPLETE;
+  if (!read.is_window() && read_complete_) {
+    read_view_ = view_of(read, read.read_buffer);
+    read_target_ = &read_view_;
+  } else if (read.is_window() && window_ != nullptr && read.read_buffer == GL_NONE) {
+    read_view_ = *window_;
+    read_view_.color_format = pipeline::ColorFormat::none;
+    read_view_.color = {};
+    read_target_ = &read_view_;
+  } else {
+    read_target_ = read.is_window() ? window_.get() : nullptr;
+  }
+
+  draw_complete_ = draw.is_window() || completeness(draw) == GL_FRAMEBUFFER_COMPLETE;
+  pipeline::Framebuffer view;
+  if (!draw.is_window() && draw_complete_) view = view_of(draw, draw.draw_buffer);
+  pipeline::Framebuffer* const next = draw.is_window() ? window_.get() : draw_complete_ ? &draw_view_ : nullptr;
+  change(dirty_raster);  // the draw buffer may be GL_NONE now
+  if (next == target() && (next != &draw_view_ || view == draw_view_)) return;
+  flush_vertices();
+  const bool drew = renderer_.take_dirty();
+  if (target() != nullptr && target() == window_.get()) window_dirty_ |= drew;
+  renderer_.set_target(nullptr);
+  draw_view_ = std::move(view);
+  renderer_.set_target(next);
+  change(dirty_all);
+}
+
+bool Context::take_window_dirty() {
+  const bool drew = target() == window_.get() && renderer_.take_dirty();
+  return std::exchange(window_dirty_, false) || drew;
+}
+
+bool Context::can_draw(const char* command) {
+  if (!draw_complete_) record_error(GL_INVALID_FRAMEBUFFER_OPERATION, command, "the draw framebuffer is incomplete");
+  return draw_complete_;
+}
+
+bool Context::can_read(const char* command) {
+  if (!read_complete_) record_error(GL_INVALID_FRAMEBUFFER_OPERATION, command, "the read framebuffer is incomplete");
+  const bool multisampled = read_complete_ && samples_of(*framebuffers.read) > 0;
+  if (multisampled) record_error(GL_INVALID_OPERATION, command, "the read framebuffer is multisampled");
+  return read_complete_ && !multisampled;
+}
+
+}  // namespace gouraud::api
