@@ -67,7 +67,7 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
     case GL_LIGHTING:
       return {&groups.lighting.enabled, dirty_lighting};
     case GL_MULTISAMPLE:
-      return {&groups.multisample.enabled, 0};
+      return {&groups.multisample.enabled, dirty_raster};
     case GL_NORMALIZE:
       return {&groups.transform.normalize_enabled, dirty_transform};
     case GL_RESCALE_NORMAL:
@@ -77,7 +77,7 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
     case GL_SAMPLE_ALPHA_TO_ONE:
       return {&groups.multisample.alpha_to_one_enabled, 0};
     case GL_SAMPLE_COVERAGE:
-      return {&groups.multisample.coverage_enabled, 0};
+      return {&groups.multisample.coverage_enabled, dirty_raster};
     case GL_SCISSOR_TEST:
       return {&groups.scissor.enabled, dirty_raster};
     case GL_TEXTURE_CUBE_MAP_SEAMLESS:

@@ -86,6 +86,7 @@ void PolygonMode(Context& context, GLenum face, GLenum mode) {
 void SampleCoverage(Context& context, GLfloat value, GLboolean invert) {
   context.state.multisample.coverage_value = clamped(value);
   context.state.multisample.coverage_inverted = invert != GL_FALSE;
+  context.change(dirty_raster);
 }
 
 }  // namespace gouraud::api

@@ -33,7 +33,7 @@ void set_storage(Context& context, GLenum target, GLsizei samples, GLenum format
   if (renderbuffer == nullptr) {
     return context.record_error(GL_INVALID_OPERATION, command, "no renderbuffer is bound");
   }
-  surface->allocate(width, height);
+  surface->allocate(width, height, samples > 0 ? max_samples : 1);
   renderbuffer->surface = *surface;
   renderbuffer->internal_format = format;
   renderbuffer->samples = samples > 0 ? max_samples : 0;

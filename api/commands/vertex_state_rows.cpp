@@ -43,6 +43,8 @@ constexpr StateRow rows[] = {
     {GL_PROJECTION_STACK_DEPTH, integer, 1,
      [](const Context& c, StateValue& v) { set(v, c.state.matrices.projection.depth); }},
     {GL_TEXTURE_STACK_DEPTH, integer, 1, [](const Context& c, StateValue& v) { set(v, texture_stack(c).depth); }},
+    {GL_CLIP_ORIGIN, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.transform.clip_origin); }},
+    {GL_CLIP_DEPTH_MODE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.transform.clip_depth_mode); }},
     {GL_VIEWPORT, integer, 4,
      [](const Context& c, StateValue& v) {
        const ViewportGroup& viewport = c.state.viewport;

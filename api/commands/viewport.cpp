@@ -24,4 +24,16 @@ void DepthRange(Context& context, GLdouble n, GLdouble f) {
   context.change(dirty_viewport);
 }
 
+void ClipControl(Context& context, GLenum origin, GLenum depth) {
+  if (origin != GL_LOWER_LEFT && origin != GL_UPPER_LEFT) {
+    return context.record_error(GL_INVALID_ENUM, "glClipControl", "origin is unknown");
+  }
+  if (depth != GL_NEGATIVE_ONE_TO_ONE && depth != GL_ZERO_TO_ONE) {
+    return context.record_error(GL_INVALID_ENUM, "glClipControl", "depth is unknown");
+  }
+  context.state.transform.clip_origin = origin;
+  context.state.transform.clip_depth_mode = depth;
+  context.change(dirty_viewport | dirty_assembly);
+}
+
 }  // namespace gouraud::api

@@ -13,4 +13,7 @@ void Viewport(Context& context, GLint x, GLint y, GLsizei width, GLsizei height)
 /// Both are clamped to [0, 1]. choice: NaN counts as 0, as in all clamped parameters.
 void DepthRange(Context& context, GLdouble n, GLdouble f);
 
+/// [ARB_clip_control]. GL_INVALID_ENUM for an unknown origin or depth mode.
+void ClipControl(Context& context, GLenum origin, GLenum depth);
+
 }  // namespace gouraud::api

@@ -146,6 +146,7 @@ TargetInfo Context::target_info() const {
           {target->color_format, target->depth_format},
           stencil_mask,
           writes_color ? target->color_channels : std::uint8_t{0},
+          target->samples > 1 ? target->samples : 0,
           target->has_depth};
 }
 

@@ -51,11 +51,16 @@ bool Context::can_draw(const char* command) {
   return draw_complete_;
 }
 
-bool Context::can_read(const char* command) {
+bool Context::can_blit_from(const char* command) {
   if (!read_complete_) record_error(GL_INVALID_FRAMEBUFFER_OPERATION, command, "the read framebuffer is incomplete");
-  const bool multisampled = read_complete_ && samples_of(*framebuffers.read) > 0;
+  return read_complete_;
+}
+
+bool Context::can_read(const char* command) {
+  if (!can_blit_from(command)) return false;
+  const bool multisampled = samples_of(*framebuffers.read) > 0;
   if (multisampled) record_error(GL_INVALID_OPERATION, command, "the read framebuffer is multisampled");
-  return read_complete_ && !multisampled;
+  return !multisampled;
 }
 
 }  // namespace gouraud::api

@@ -64,7 +64,7 @@ _NOT_COMPILED = re.compile(
     r"(Color|FogCoord|EdgeFlag|Index|Normal|TexCoord|SecondaryColor|Vertex)Pointer|InterleavedArrays|"
     r"ClientActiveTexture|(Enable|Disable)ClientState|(Push|Pop)ClientAttrib|(Lock|Unlock)ArraysEXT|"
     r"(Bind|Check)(Framebuffer|Renderbuffer)\w*|Framebuffer(Renderbuffer|Texture)\w*|RenderbufferStorage\w*|"
-    r"BindBuffer|BufferData|BufferSubData|MapBuffer|UnmapBuffer|Flush|Finish|NewList|EndList")
+    r"GenerateMipmap|BindBuffer|BufferData|BufferSubData|MapBuffer|UnmapBuffer|Flush|Finish|NewList|EndList")
 
 
 def recordable(name):

@@ -63,6 +63,20 @@ pipeline::RasterState raster_state(const State& state, const TargetInfo& target)
   return result;
 }
 
+/// Which samples SAMPLE_COVERAGE leaves [GL1.5 §4.1.3]: as many as its value says, the first ones.
+std::uint8_t coverage_mask(const MultisampleGroup& group, int samples) {
+  const auto all = static_cast<unsigned>((1 << samples) - 1);
+  if (!group.coverage_enabled) return static_cast<std::uint8_t>(all);
+  const int covered = static_cast<int>(group.coverage_value * static_cast<float>(samples) + 0.5f);
+  const auto mask = static_cast<unsigned>((1 << covered) - 1);
+  return static_cast<std::uint8_t>((group.coverage_inverted ? ~mask : mask) & all);
+}
+
+pipeline::MultisampleState multisample_state(const MultisampleGroup& group, const TargetInfo& target) {
+  if (target.samples == 0 || !group.enabled) return {};
+  return {true, coverage_mask(group, target.samples)};
+}
+
 pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
   const PolygonGroup& polygon = state.polygon;
   pipeline::AssemblyState result;
@@ -78,7 +92,9 @@ pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
   const bool two_sided = colors_matter && state.lighting.enabled && state.lighting.model_two_side;
   const bool faces_differ =
       front_drawn != back_drawn || (front_drawn && (result.polygon_mode_front != result.polygon_mode_back || two_sided));
-  if (faces_differ && polygon.front_face == GL_CW) result.front_face = pipeline::FrontFace::cw;
+  // With the origin at the upper left a polygon shows the same face, though its window coordinates turn the other way.
+  const bool clockwise_is_front = (polygon.front_face == GL_CW) != (state.transform.clip_origin == GL_UPPER_LEFT);
+  if (faces_differ && clockwise_is_front) result.front_face = pipeline::FrontFace::cw;
   return result;
 }
 
@@ -86,6 +102,8 @@ pipeline::ViewportState viewport_state(const State& state, const TargetInfo& tar
   const ViewportGroup& viewport = state.viewport;
   pipeline::ViewportState result{viewport.x, viewport.y, viewport.width_px, viewport.height_px};
   result.target_height_px = target.height_px;
+  result.upper_left = state.transform.clip_origin == GL_UPPER_LEFT;
+  result.zero_to_one = state.transform.clip_depth_mode == GL_ZERO_TO_ONE;
   if (depth_matters) {
     result.depth_near = viewport.depth_near;
     result.depth_far = viewport.depth_far;
@@ -116,6 +134,10 @@ bool normals_matter(const pipeline::LightingState& lighting) {
 
 }  // namespace
 
+pipeline::PixelRect writable_rect(const State& state, const TargetInfo& target) {
+  return writable_rect(state.scissor, target);
+}
+
 // Parts are computed in an order in which each depends only on those before; a part that depends on a fact of an
 // earlier one is computed again when that fact changes.
 void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
@@ -124,7 +146,10 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   const pipeline::ReportState old_report = draw_state.report;
   draw_state.report = report_state(state.render_mode);
   if (draw_state.report != old_report) dirty = dirty_all;
-  if (dirty & dirty_raster) draw_state.raster = raster_state(state, target);
+  if (dirty & dirty_raster) {
+    draw_state.raster = raster_state(state, target);
+    draw_state.multisample = multisample_state(state.multisample, target);
+  }
   const bool colors_matter = draw_state.raster.needs_colors();
   if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting | dirty_textures;
   const bool reported = draw_state.report.enabled;

@@ -28,6 +28,7 @@ struct TargetInfo {
   pipeline::TargetFormat format{};
   std::uint32_t stencil_mask = 0;  ///< 2^stencil bits - 1
   std::uint8_t color_channels = 0xF;  ///< those that may be written: none if the draw buffer is GL_NONE
+  int samples = 0;  ///< of each pixel; 0 without multisampling
   bool has_depth = true;  ///< false: format.depth, if any, is that of a plane of which only the stencil is used
 };
 
@@ -38,6 +39,9 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
 
 /// The state under which a raster position is a vertex of which everything is wanted [GL1.5 §2.13]; materials included.
 pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target);
+
+/// The pixels that may be written: scissor box, if enabled, and target, intersected [GL1.5 §4.1.2].
+pipeline::PixelRect writable_rect(const State& state, const TargetInfo& target);
 
 /// What glClear of the buffers in `mask` does under this state [GL1.5 §4.2.3].
 pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask);

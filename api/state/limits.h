@@ -29,7 +29,7 @@ inline constexpr int max_target_size_px = 16384;
 inline constexpr int min_viewport_origin = -32768, max_viewport_origin = 32767;
 inline constexpr int max_renderbuffer_size = max_target_size_px;
 inline constexpr int max_color_attachments = 8;
-inline constexpr int max_samples = 4;
+inline constexpr int max_samples = pipeline::max_samples;
 inline constexpr float min_point_size = 1.0f, max_point_size = 255.0f;
 inline constexpr float min_line_width = 1.0f, max_line_width = 255.0f;
 inline constexpr float point_size_granularity = 0.1f, line_width_granularity = 0.1f;

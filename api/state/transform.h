@@ -33,6 +33,7 @@ struct TransformGroup {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize_enabled = false;
   bool rescale_normal_enabled = false;
+  GLenum clip_origin = GL_LOWER_LEFT, clip_depth_mode = GL_NEGATIVE_ONE_TO_ONE;  ///< ARB_clip_control
   bool operator==(const TransformGroup&) const = default;
 };
 

@@ -53,6 +53,10 @@ struct ViewportState {
   /// Height of the target. Window y is computed from the top (MESA-RULES 2.3: y_raster = target_height - y_window)
   /// before it is snapped, so that snapping rounds the same way as Mesa's.
   std::int32_t target_height_px = 0;
+  bool upper_left = false;   ///< y = -1 in normalized device coordinates is the viewport's top [ARB_clip_control]
+  bool zero_to_one = false;  ///< the near plane is z = 0, not z = -w [ARB_clip_control]
+  /// Where samples lie: window positions are moved so that a sample stands in a pixel's centre. 0 in a DrawState.
+  float sample_shift_x = 0.0f, sample_shift_y = 0.0f;
   bool operator==(const ViewportState&) const = default;
 };
 
@@ -231,6 +235,13 @@ enum class LogicOp : std::uint8_t {
   or_inverted, nand, set
 };
 
+/// [GL1.5 §3.2.1, §4.1.3]. Off (all initial) unless the target has several samples and MULTISAMPLE is enabled.
+struct MultisampleState {
+  bool enabled = false;  ///< each sample has its own place in the pixel; else all have the pixel's centre
+  std::uint8_t sample_mask = 0xF;  ///< bit k: sample k is drawn (SAMPLE_COVERAGE)
+  bool operator==(const MultisampleState&) const = default;
+};
+
 /// Everything that fragments need after rasterization: small, interned, referred to by the bins until a flush.
 struct RasterState {
   /// Where fragments may land: scissor box (if enabled) and target, intersected.
@@ -272,6 +283,7 @@ struct DrawState {
   ClipPlaneState clip_planes{};
   /// Without lighting: whether the secondary colour of the vertices is added (COLOR_SUM) [GL1.5 §3.9].
   bool color_sum = false;
+  MultisampleState multisample{};
   TextureCoordinatesState texture_coordinates{};
   TexturingState texturing{};
   RasterState raster{};

@@ -73,10 +73,10 @@ LineSpan unclipped_span(const ViewportState& viewport, const ProcessedVertices& 
   for (std::size_t i = 0; i < 2; ++i) {
     const auto clip = [&](std::size_t k) { return static_cast<double>(vertices.position_clip[k][line.vertex[i]]); };
     x[i] = clip(0) / clip(3) * 0.5 * viewport.width_px;
-    y[i] = -clip(1) / clip(3) * 0.5 * viewport.height_px;
+    y[i] = (viewport.upper_left ? clip(1) : -clip(1)) / clip(3) * 0.5 * viewport.height_px;
     if (!(clip(3) > 0) || !std::isfinite(x[i]) || !std::isfinite(y[i])) return {};
-    x[i] += viewport.x + 0.5 * viewport.width_px;
-    y[i] += viewport.target_height_px - (viewport.y + 0.5 * viewport.height_px);
+    x[i] += viewport.x + 0.5 * viewport.width_px + viewport.sample_shift_x;
+    y[i] += viewport.target_height_px - (viewport.y + 0.5 * viewport.height_px) - viewport.sample_shift_y;
   }
   return {x[0], y[0], x[1], y[1]};
 }
@@ -87,6 +87,8 @@ struct Renderer::Implementation {
   explicit Implementation(int thread_count) : bins(thread_count) {}
 
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VertexBatch& batch);
+  void draw_primitives(const DrawState& state, const VertexBatch& batch);
+  void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
   void add_smooth_triangle(const WaitingTriangle& triangle);
@@ -278,6 +280,61 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   shape != nullptr ? bins.add_smooth(record) : bins.add_polygon(record);
 }
 
+/// In order, to the sample that is selected.
+void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
+  for (const PrimitiveRange& range : batch.primitives) {
+    assembled.triangles.clear();
+    assembled.lines.clear();
+    assembled.points.clear();
+    // choice: quads that are not filled are split like flat ones, as Mesa does: their edges then come in order.
+    assemble(range, unfilled ? ShadeModel::flat : state.assembly.shade_model, assembled);
+    if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
+    for (const AssembledTriangle& triangle : assembled.triangles) {
+      const auto& outcode = vertices.outcode;
+      const unsigned outside = outcode[triangle.vertex[0]] | outcode[triangle.vertex[1]] | outcode[triangle.vertex[2]];
+      if (outside == 0) {
+        emit(triangle);
+      } else {
+        clip_and_draw(triangle);
+      }
+    }
+    flush_triangles();
+    // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
+    const bool independent = range.mode == PrimitiveMode::lines;
+    if (range.begins) stipple_count = 0;
+    for (const AssembledLine& line : assembled.lines) {
+      if (independent) stipple_count = 0;
+      draw_line(line);
+    }
+    for (const AssembledPoint& point : assembled.points) draw_point(point);
+  }
+}
+
+/// Where the samples of a pixel lie, in pixels from its lower left corner: each in a row and a column of its own.
+constexpr std::array<std::array<float, 2>, max_samples> sample_positions{
+    {{0.375f, 0.875f}, {0.875f, 0.625f}, {0.125f, 0.375f}, {0.625f, 0.125f}}};
+
+/// Every sample is a picture of its own [GL1.5 §3.2.1]: what is drawn is moved so that the sample stands where a pixel
+/// has its centre, and drawn as ever. So coverage, depth and colours are those of the sample's own place, and no stage
+/// after this one knows of samples.
+/// choice: lines and points are the same sets of fragments as without multisampling, each sample's in its own place.
+void Renderer::Implementation::draw_samples(const DrawState& state, const VertexBatch& batch) {
+  const StippleCount stipple_before = stipple_count;
+  for (std::size_t sample = 0; sample < static_cast<std::size_t>(bins.target()->samples); ++sample) {
+    if ((state.multisample.sample_mask >> sample & 1) == 0) continue;
+    bins.select_sample(static_cast<std::int32_t>(sample));
+    if (state.multisample.enabled) {
+      viewport.sample_shift_x = 0.5f - sample_positions[sample][0];
+      viewport.sample_shift_y = 0.5f - sample_positions[sample][1];
+    }
+    vertices.count = batch_count;
+    project_to_window(viewport, vertices);
+    stipple_count = stipple_before;
+    draw_primitives(state, batch);
+  }
+  bins.select_sample(0);
+}
+
 Renderer::Renderer(int thread_count) : implementation_(std::make_unique<Implementation>(thread_count)) {}
 Renderer::~Renderer() = default;
 
@@ -323,32 +380,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   // Vertices, then primitives in order.
   self.run_vertex_stages(state, plan, batch);
   self.batch_count = batch.count;
-  for (const PrimitiveRange& range : batch.primitives) {
-    self.assembled.triangles.clear();
-    self.assembled.lines.clear();
-    self.assembled.points.clear();
-    // choice: quads that are not filled are split like flat ones, as Mesa does: their edges then come in order.
-    assemble(range, self.unfilled ? ShadeModel::flat : state.assembly.shade_model, self.assembled);
-    if (self.unfilled) apply_edge_flags(range, batch.edge_flag.data(), self.assembled.triangles);
-    for (const AssembledTriangle& triangle : self.assembled.triangles) {
-      const auto& outcode = self.vertices.outcode;
-      const unsigned outside = outcode[triangle.vertex[0]] | outcode[triangle.vertex[1]] | outcode[triangle.vertex[2]];
-      if (outside == 0) {
-        self.emit(triangle);
-      } else {
-        self.clip_and_draw(triangle);
-      }
-    }
-    self.flush_triangles();
-    // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
-    const bool independent = range.mode == PrimitiveMode::lines;
-    if (range.begins) self.stipple_count = 0;
-    for (const AssembledLine& line : self.assembled.lines) {
-      if (independent) self.stipple_count = 0;
-      self.draw_line(line);
-    }
-    for (const AssembledPoint& point : self.assembled.points) self.draw_point(point);
-  }
+  target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
   if (self.bins.full()) self.run_bins();
 }
 

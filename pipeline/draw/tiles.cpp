@@ -94,9 +94,14 @@ TileBins::TileBins(int thread_count)
       workers_(thread_count) {}
 
 void TileBins::set_target(Framebuffer* target) {
-  const auto tiles = target != nullptr ? static_cast<std::size_t>(target->tile_count()) : 0;
-  if (bins_.size() < tiles) bins_.resize(tiles);
   target_ = target;
+  first_bin_ = 0;
+  samples_.clear();
+  if (target == nullptr) return;
+  const auto bins = static_cast<std::size_t>(target->tile_count() * target->samples);
+  if (bins_.size() < bins) bins_.resize(bins);
+  if (target->samples == 1) return;
+  for (int sample = 0; sample < target->samples; ++sample) samples_.push_back(target->sample(sample));
 }
 
 const SetupState* TileBins::intern(SetupState setup, const RasterBinding& binding) {
@@ -106,9 +111,9 @@ const SetupState* TileBins::intern(SetupState setup, const RasterBinding& bindin
   return &setups_.back();
 }
 
-void TileBins::add(std::int32_t tile, const Entry& entry) {
-  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
-  if (bin.empty()) touched_.push_back(tile);
+void TileBins::add_to_bin(std::int32_t bin_index, const Entry& entry) {
+  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(bin_index)];
+  if (bin.empty()) touched_.push_back(bin_index);
   bin.push_back(entry);
   ++entry_count_;
 }
@@ -156,7 +161,7 @@ void TileBins::add_line(const WaitingLine& line) {
 
 void TileBins::add_point(const SetupState& state, const WaitingPoint& point) {
   const std::int32_t tile = point.y / tile_size * target_->tiles_x + point.x / tile_size;
-  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
+  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(first_bin_ + tile)];
   if (!bin.empty() && bin.back().kind == EntryKind::points) {
     PointChunk& chunk = *static_cast<PointChunk*>(const_cast<void*>(bin.back().what));
     if (chunk.state == &state && chunk.count < PointChunk::capacity) {
@@ -225,9 +230,12 @@ void TileBins::add_clear(const ClearState& state) {
   const ClearState& kept = clears_.emplace_back(state);
   const PixelRect& box = state.scissor;
   if (box.empty()) return;
-  for (std::int32_t y = box.y0 / tile_size; y <= (box.y1 - 1) / tile_size; ++y) {
-    for (std::int32_t x = box.x0 / tile_size; x <= (box.x1 - 1) / tile_size; ++x) {
-      add(y * target_->tiles_x + x, {&kept, nullptr, 0, EntryKind::clear});
+  for (int sample = 0; sample < target_->samples; ++sample) {
+    const std::int32_t first = sample * target_->tile_count();
+    for (std::int32_t y = box.y0 / tile_size; y <= (box.y1 - 1) / tile_size; ++y) {
+      for (std::int32_t x = box.x0 / tile_size; x <= (box.x1 - 1) / tile_size; ++x) {
+        add_to_bin(first + y * target_->tiles_x + x, {&kept, nullptr, 0, EntryKind::clear});
+      }
     }
   }
 }
@@ -262,17 +270,19 @@ std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t
   return count;
 }
 
-void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
-  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(tile)];
-  const std::int32_t tile_x = tile % target_->tiles_x, tile_y = tile / target_->tiles_x;
-  const std::byte* const soon_depth = target_->depth.empty() ? nullptr : target_->depth.tile_storage(tile_x, tile_y);
+void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
+  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(bin_index)];
+  const std::int32_t tiles = target_->tile_count(), tile = bin_index % tiles;
+  const Framebuffer& target = samples_.empty() ? *target_ : samples_[static_cast<std::size_t>(bin_index / tiles)];
+  const std::int32_t tile_x = tile % target.tiles_x, tile_y = tile / target.tiles_x;
+  const std::byte* const soon_depth = target.depth.empty() ? nullptr : target.depth.tile_storage(tile_x, tile_y);
   const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
   const auto look_ahead = [&](std::size_t i) {
     if (i + prefetch_distance < bin.size()) prefetch(bin[i + prefetch_distance]);
     if (i + prefetch_depth_distance >= bin.size() || soon_depth == nullptr) return;
     const Entry& soon = bin[i + prefetch_depth_distance];
     if (soon.kind != EntryKind::triangle) return;
-    prefetch_depth(*static_cast<const WaitingTriangle*>(soon.what), x, y, soon_depth, target_->depth.bytes_per_pixel());
+    prefetch_depth(*static_cast<const WaitingTriangle*>(soon.what), x, y, soon_depth, target.depth.bytes_per_pixel());
   };
   for (std::size_t i = 0; i < std::min(prefetch_distance, bin.size()); ++i) prefetch(bin[i]);
   TileTarget pixels;
@@ -281,10 +291,10 @@ void TileBins::run_tile(std::int32_t tile, PolygonRasterizer rasterize) {
     const Entry& entry = bin[i];
     std::size_t done = 1;
     const bool clears = entry.kind == EntryKind::clear;
-    if (!clears && !touched) pixels = tile_target(*target_, tile_x, tile_y);
+    if (!clears && !touched) pixels = tile_target(target, tile_x, tile_y);
     touched = !clears;
     switch (entry.kind) {
-      case EntryKind::clear: clear_tile(*target_, tile, *static_cast<const ClearState*>(entry.what)); break;
+      case EntryKind::clear: clear_tile(target, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
       case EntryKind::line: {
         alignas(64) std::array<std::byte, sizeof(ColoredPrimitive)> memory;
@@ -317,7 +327,7 @@ void TileBins::run() {
   if (touched_.empty()) return;
   const PolygonRasterizer rasterize = polygon_rasterizer();
   workers_.run(static_cast<std::int32_t>(touched_.size()), entry_count_ >= entries_worth_waking,
-               [&](std::int32_t i) { run_tile(touched_[static_cast<std::size_t>(i)], rasterize); });
+               [&](std::int32_t i) { run_bin(touched_[static_cast<std::size_t>(i)], rasterize); });
   touched_.clear();
   entry_count_ = 0;
   bindings_.clear();

@@ -56,6 +56,8 @@ class TileBins {
   void* allocate(std::size_t bytes) { return arena_.allocate(bytes); }
   void take_back(std::size_t bytes) { arena_.take_back(bytes); }
 
+  /// Which sample of each pixel the next primitives are for. Clears are for all.
+  void select_sample(std::int32_t sample) { first_bin_ = sample * target_->tile_count(); }
   void add_triangle(const WaitingTriangle& triangle);
   /// Every pixel inside the record's edges and box.
   void add_polygon(const PrimitiveRecord& record);
@@ -82,22 +84,25 @@ class TileBins {
     std::int32_t block_count = 0;
     EntryKind kind = EntryKind::polygon;
   };
-  void add(std::int32_t tile, const Entry& entry);
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);
+  void add(std::int32_t tile, const Entry& entry) { add_to_bin(first_bin_ + tile, entry); }
+  void add_to_bin(std::int32_t bin_index, const Entry& entry);
   void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
-  void run_tile(std::int32_t tile, PolygonRasterizer rasterize);
+  void run_bin(std::int32_t bin_index, PolygonRasterizer rasterize);
   /// Entry `i` of the bin and the triangles of equal state right after it. Returns the number of entries done.
   static std::size_t run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
                                    PolygonRasterizer rasterize);
   void prefetch(const Entry& entry) const;
 
   Framebuffer* target_ = nullptr;
+  std::vector<Framebuffer> samples_;  ///< the target's; empty if it has one sample
+  std::int32_t first_bin_ = 0;        ///< of the sample selected
   Arena arena_;
   std::deque<RasterBinding> bindings_;
   std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
-  std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of the target
-  std::vector<std::int32_t> touched_;  ///< tiles with entries
+  std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of each sample, sample after sample
+  std::vector<std::int32_t> touched_;  ///< bins with entries
   std::size_t entry_count_ = 0;
   std::vector<BlockMask> block_list_;  ///< of the pixels being added
   std::size_t arena_limit_;

@@ -105,6 +105,9 @@ Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthF
 Framebuffer::Framebuffer(int width, int height, const Surface* color_surface, const Surface* depth_surface,
                          const Surface* stencil_surface)
     : width_px(width), height_px(height), tiles_x(tiles_across(width)), tiles_y(tiles_across(height)) {
+  for (const Surface* surface : {color_surface, depth_surface, stencil_surface}) {
+    if (surface != nullptr) samples = surface->samples;
+  }
   if (color_surface != nullptr) {
     color_format = color_surface->color_format;
     color_channels = color_surface->channels;
@@ -123,6 +126,13 @@ Framebuffer::Framebuffer(int width, int height, const Surface* color_surface, co
       depth = stencil_surface->depth;
     }
   }
+}
+
+Framebuffer Framebuffer::sample(int index) const {
+  Framebuffer one = *this;
+  one.samples = 1;
+  for (TiledBuffer* plane : {&one.color, &one.depth, &one.stencil}) *plane = plane->plane(index);
+  return one;
 }
 
 }  // namespace gouraud::pipeline

@@ -180,6 +180,7 @@ struct Framebuffer {
 
   int width_px = 0, height_px = 0;
   int tiles_x = 0, tiles_y = 0;
+  int samples = 1;  ///< of each pixel; the planes below are those of the first, the others' follow: see sample()
   ColorFormat color_format = ColorFormat::none;
   std::uint8_t color_channels = 0xF;  ///< those that the colour plane has: see Surface
   DepthFormat depth_format = DepthFormat::none;
@@ -189,6 +190,8 @@ struct Framebuffer {
   TiledBuffer accum;                  ///< R, G, B, A in [-1, 1] as floats [GL1.5 §4.2.4]; memory once it is used
 
   int tile_count() const { return tiles_x * tiles_y; }
+  /// The view of one sample of each pixel.
+  Framebuffer sample(int index) const;
   bool operator==(const Framebuffer&) const = default;
 };
 

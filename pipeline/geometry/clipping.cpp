@@ -23,9 +23,12 @@ bool is_upper(std::uint32_t plane) {
   return (1u << plane & (outside_right | outside_top | outside_far)) != 0;
 }
 
+bool is_near(std::uint32_t plane) { return 1u << plane == outside_near; }
+
 float distance(const ProcessedVertices& vertices, std::uint16_t index, std::uint32_t plane) {
   const float coordinate = vertices.position_clip[plane / 2][index], w = vertices.position_clip[3][index];
-  return is_upper(plane) ? -coordinate + w : coordinate + w;
+  if (is_upper(plane)) return -coordinate + w;
+  return coordinate + (is_near(plane) ? vertices.near_plane_w * w : w);
 }
 
 /// Vertex numbers, and whether the edge from each vertex to the next is a boundary edge: what is left of a triangle.
@@ -168,7 +171,7 @@ class Line {
   Pair distance(std::size_t end, std::uint32_t plane) const {
     const std::uint16_t index = line_.vertex[end];
     const double coordinate = vertices_.position_clip[plane / 2][index], w = vertices_.position_clip[3][index];
-    return {is_upper(plane) ? -coordinate : coordinate, w};
+    return {is_upper(plane) ? -coordinate : coordinate, is_near(plane) ? vertices_.near_plane_w * w : w};
   }
 
   const ProcessedVertices& vertices_;

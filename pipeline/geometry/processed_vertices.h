@@ -24,7 +24,7 @@ enum Outcode : std::uint16_t {
   outside_left = 1 << 1,    // x + w < 0
   outside_top = 1 << 2,     // y > w
   outside_bottom = 1 << 3,  // y + w < 0
-  outside_near = 1 << 4,    // z + w < 0
+  outside_near = 1 << 4,    // z + w < 0 (z < 0: see near_plane_w)
   outside_far = 1 << 5,     // z > w
   outside_invalid = 1 << 6, // a coordinate is NaN or infinite: primitives that use the vertex are dropped
 };
@@ -43,6 +43,8 @@ struct alignas(16) Rgba {
 
 struct ProcessedVertices {
   std::int32_t count = 0;
+  /// The near plane is z = -near_plane_w * w: 1, or 0 where depth is clipped to [0, 1] [ARB_clip_control].
+  float near_plane_w = 1.0f;
   alignas(64) ProcessedArray<4> position_clip;
   alignas(64) ProcessedArray<4> position_eye;  ///< only if the plan needs eye positions
   alignas(64) ProcessedArray<3> normal_eye;    ///< only if the plan lights; after rescaling or normalizing

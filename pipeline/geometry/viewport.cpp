@@ -25,6 +25,7 @@ void project(const ViewportTransform& viewport, ProcessedVertices& vertices) {
   const hn::Rebind<std::uint16_t, decltype(d)> d16;
   const auto count = static_cast<std::size_t>(vertices.count);
   const auto& clip = vertices.position_clip;
+  const auto near_plane_w = hn::Set(d, vertices.near_plane_w);
   const auto flag = [&](auto mask, Outcode bit) HWY_ATTR {
     return hn::BitCast(di, hn::IfThenElseZero(mask, hn::BitCast(d, hn::Set(di, bit))));
   };
@@ -36,7 +37,7 @@ void project(const ViewportTransform& viewport, ProcessedVertices& vertices) {
     const auto minus_w = hn::Neg(w);
     const auto across = hn::Or(flag(hn::Gt(x, w), outside_right), flag(hn::Lt(x, minus_w), outside_left));
     const auto upright = hn::Or(flag(hn::Gt(y, w), outside_top), flag(hn::Lt(y, minus_w), outside_bottom));
-    const auto deep = hn::Or(flag(hn::Lt(z, minus_w), outside_near), flag(hn::Gt(z, w), outside_far));
+    const auto deep = hn::Or(flag(hn::Lt(z, hn::Mul(minus_w, near_plane_w)), outside_near), flag(hn::Gt(z, w), outside_far));
     const auto planes = hn::Or(hn::Or(across, upright), deep);
 
     // Inside all planes a coordinate is no larger than w: where 1 / w is finite, so is the window position.
@@ -63,13 +64,17 @@ namespace gouraud::pipeline {
 ViewportTransform make_viewport_transform(const ViewportState& state) {
   const float half_width = static_cast<float>(state.width_px) * 0.5f,
               half_height = static_cast<float>(state.height_px) * 0.5f;
-  return {{half_width, -half_height, static_cast<float>((state.depth_far - state.depth_near) * 0.5)},
-          {half_width + static_cast<float>(state.x),
-           static_cast<float>(state.target_height_px) - (half_height + static_cast<float>(state.y)),
-           static_cast<float>((state.depth_far + state.depth_near) * 0.5)}};
+  const double near = state.depth_near, far = state.depth_far;
+  const float center_x = half_width + static_cast<float>(state.x);
+  const float center_y = static_cast<float>(state.target_height_px) - (half_height + static_cast<float>(state.y));
+  return {{half_width, state.upper_left ? half_height : -half_height,
+           static_cast<float>(state.zero_to_one ? far - near : (far - near) * 0.5)},
+          {center_x + state.sample_shift_x, center_y - state.sample_shift_y,
+           static_cast<float>(state.zero_to_one ? near : (far + near) * 0.5)}};
 }
 
 void project_to_window(const ViewportState& state, ProcessedVertices& vertices) {
+  vertices.near_plane_w = state.zero_to_one ? 0.0f : 1.0f;
   GOURAUD_SIMD_PICK(project)(make_viewport_transform(state), vertices);
 }
 
@@ -101,9 +106,10 @@ glm::vec3 window_position(const ViewportState& state, const ProcessedVertices& v
   const auto i = static_cast<std::size_t>(index);
   const double w = vertices.position_clip[3][i];
   const auto ndc = [&](std::size_t k) { return static_cast<double>(vertices.position_clip[k][i]) / w; };
-  const double x = state.x + (ndc(0) + 1.0) * 0.5 * state.width_px, y = state.y + (ndc(1) + 1.0) * 0.5 * state.height_px;
+  const double x = state.x + (ndc(0) + 1.0) * 0.5 * state.width_px;
+  const double y = state.y + ((state.upper_left ? -ndc(1) : ndc(1)) + 1.0) * 0.5 * state.height_px;
   const double near = state.depth_near, far = state.depth_far;
-  const double z = std::clamp(near + (ndc(2) + 1.0) * 0.5 * (far - near), std::min(near, far), std::max(near, far));
+  const double z = std::clamp(near + (state.zero_to_one ? ndc(2) : (ndc(2) + 1.0) * 0.5) * (far - near), std::min(near, far), std::max(near, far));
   return glm::vec3(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
 }
 
