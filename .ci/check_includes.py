@@ -46,7 +46,8 @@ RULES = {
     "api": {"GL/gl.h", "GL/osmesa.h", "api"},
     "api/state": {"GL/gl.h", "pipeline/draw/draw_state.h",  # for the limits that both must agree on
                   "pipeline/texture/image.h"},              # texture objects hold images
-    "api/context": {"GL/gl.h", "api", "pipeline/draw", "pipeline/geometry/vertex_batch.h", "pipeline/framebuffer"},
+    "api/context": {"GL/gl.h", "api", "pipeline/draw", "pipeline/geometry/vertex_batch.h", "pipeline/framebuffer",
+                    "pipeline/texture/attachable.h"},  # images that framebuffers draw into
     "api/commands": {"GL/gl.h", "api/state", "api/context", "api/registry", "api/snapshot",
                      "pipeline/framebuffer",       # ReadPixels takes rows out of the target
                      "pipeline/texture",           # TexImage puts texels into images

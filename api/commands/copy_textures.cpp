@@ -130,6 +130,7 @@ void copy_tex_image(Context& context, const ImageRequest& request, GLenum intern
   const Fit fits = fit(request, target->target, *format);
   if (fits == Fit::too_large) return refuse(GL_INVALID_VALUE, "the image is too large");
   if (fits == Fit::no_memory) throw std::bad_alloc();
+  if (!context.can_read(request.command)) return;
   const Framebuffer* const source = context.read_target();
   if (source == nullptr) return;
   if (const char* const message = lack(*source, *format)) return refuse(GL_INVALID_OPERATION, message);
@@ -152,6 +153,7 @@ void copy_tex_sub_image(Context& context, Region region, GLint x, GLint y) {
   const auto format = find_stored_format(static_cast<GLint>(object.descriptions[target->face][level].internal_format));
   if (!format) return refuse(GL_INVALID_OPERATION, "no such internal format");
   if (format->blocks && !check_blocks(context, region, object.texture->faces[target->face][level])) return;
+  if (!context.can_read(region.command)) return;
   const Framebuffer* const source = context.read_target();
   if (source == nullptr) return;
   if (const char* const message = lack(*source, *format)) return refuse(GL_INVALID_OPERATION, message);

@@ -21,13 +21,16 @@ FramebufferObject* bound(Context& context, GLenum target, const char* command) {
   }
 }
 
-/// As bound(), but the window's framebuffer is an error as well.
+}  // namespace
+
 FramebufferObject* bound_object(Context& context, GLenum target, const char* command) {
   FramebufferObject* const framebuffer = bound(context, target, command);
   if (framebuffer == nullptr || !framebuffer->is_window()) return framebuffer;
   context.record_error(GL_INVALID_OPERATION, command, "no framebuffer object is bound");
   return nullptr;
 }
+
+namespace {
 
 bool is_color_attachment(GLenum attachment) {
   return attachment - GL_COLOR_ATTACHMENT0 <= GL_COLOR_ATTACHMENT15 - GL_COLOR_ATTACHMENT0;
@@ -135,7 +138,7 @@ void FramebufferRenderbuffer(Context& context, GLenum target, GLenum attachment,
   if (renderbuffer != 0 && object == nullptr) {
     return context.record_error(GL_INVALID_OPERATION, command, "there is no such renderbuffer");
   }
-  attach(context, *framebuffer, attachment, {object}, command);
+  attach(context, *framebuffer, attachment, {object, nullptr}, command);
 }
 
 namespace {
@@ -196,6 +199,24 @@ bool query_format(const Query& query, const pipeline::Surface& surface, GLint* p
   }
 }
 
+/// What is asked of the place in a texture; false if pname is none of these.
+bool query_texture(const Query& query, const Attachment& attachment, GLint* params) {
+  const bool cube = attachment.texture->target == TextureTarget::cube_map;
+  switch (query.pname) {
+    case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL:
+      *params = static_cast<GLint>(attachment.level);
+      return true;
+    case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE:
+      *params = cube ? static_cast<GLint>(GL_TEXTURE_CUBE_MAP_POSITIVE_X + attachment.face) : 0;
+      return true;
+    case GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER:
+      *params = attachment.layer;
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// Of the window's framebuffer: its planes as surfaces.
 void query_window(const Query& query, GLint* params) {
   const bool right = query.point == GL_FRONT_RIGHT || query.point == GL_BACK_RIGHT;
@@ -234,7 +255,9 @@ void query_attachment(const Query& query, const Attachment& attachment, GLint* p
     query.refuse(GL_INVALID_OPERATION, "nothing is attached");
   } else if (query.pname == GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE && query.point == GL_DEPTH_STENCIL_ATTACHMENT) {
     query.refuse(GL_INVALID_OPERATION, "depth and stencil have two types");
-  } else if (!query_format(query, *attachment.surface(), params)) {
+  } else if (attachment.texture != nullptr && query_texture(query, attachment, params)) {
+    return;
+  } else if (!query_format(query, attachment.surface(), params)) {
     query.refuse(GL_INVALID_ENUM, "pname is unknown or asks for a texture");
   }
 }

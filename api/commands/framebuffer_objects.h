@@ -30,6 +30,8 @@ void FramebufferRenderbuffer(Context& context, GLenum target, GLenum attachment,
 void GetFramebufferAttachmentParameteriv(Context& context, GLenum target, GLenum attachment, GLenum pname,
                                          GLint* params);
 
+/// The framebuffer object that target names; null, and an error is recorded, if it names none or the window's.
+FramebufferObject* bound_object(Context& context, GLenum target, const char* command);
 /// What the commands that attach something have in common.
 void attach(Context& context, FramebufferObject& framebuffer, GLenum point, const Attachment& attachment,
             const char* command);

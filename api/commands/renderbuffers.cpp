@@ -52,7 +52,7 @@ void DeleteRenderbuffers(Context& context, GLsizei n, const GLuint* renderbuffer
   for (GLsizei i = 0; i < n; ++i) {
     if (const auto renderbuffer = context.renderbuffer_names().find(renderbuffers[i])) {
       if (context.framebuffers.renderbuffer == renderbuffer) context.framebuffers.renderbuffer = nullptr;
-      const Attachment attachment{renderbuffer};
+      const Attachment attachment{renderbuffer, nullptr};
       detach(*context.framebuffers.draw, attachment);
       detach(*context.framebuffers.read, attachment);
     }

@@ -39,6 +39,7 @@ void put_image(Context& context, TextureObject& object, std::size_t face, std::s
   own_texture(object).faces[face][level] = std::move(image);
   object.descriptions[face][level] = std::move(description);
   context.change(dirty_textures);
+  context.update_targets();
   base_level_changed(context, object, face, level);
 }
 
@@ -108,6 +109,7 @@ void generate_mipmaps(Context& context, TextureObject& object, std::size_t first
     }
   }
   context.change(dirty_textures);
+  context.update_targets();
 }
 
 }  // namespace gouraud::api

@@ -180,6 +180,17 @@ void Context::unbind_texture(const TextureBinding& texture) {
     if (unit.binding[target] == texture) unit.binding[target] = default_textures_[target];
   }
   change(dirty_textures);
+  const auto detach_from = [&](FramebufferObject& framebuffer) {
+    const auto detach = [&](Attachment& place) {
+      if (place.texture == texture) place = {};
+    };
+    for (Attachment& place : framebuffer.color) detach(place);
+    detach(framebuffer.depth);
+    detach(framebuffer.stencil);
+  };
+  detach_from(*framebuffers.draw);
+  detach_from(*framebuffers.read);
+  update_targets();
 }
 
 long Context::texture_uses(const pipeline::Texture& texture) const {

@@ -146,7 +146,7 @@ class Context {
   TextureNames& texture_names() { return *texture_names_; }
   /// The texture of name 0 [GL1.5 §3.8.12]: contexts do not share it.
   const TextureBinding& default_texture(TextureTarget target) const { return default_textures_[index_of(target)]; }
-  /// Binds the default texture wherever this one is bound.
+  /// Binds the default texture wherever this one is bound, and detaches it from the framebuffers that are bound.
   void unbind_texture(const TextureBinding& texture);
   /// How often the draw state, which keeps its textures alive, refers to this one.
   long texture_uses(const pipeline::Texture& texture) const;
@@ -166,6 +166,7 @@ class Context {
   int list_nesting = 0;
 
  private:
+  void tile_attachments(const FramebufferObject& framebuffer);
   void draw_pending();
   void hold_textures();
   void trace_plan() const;

@@ -8,27 +8,27 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/texture/attachable.h"
+
 namespace gouraud::api {
 namespace {
 
 using pipeline::ColorFormat;
 using pipeline::Surface;
 
-/// Calls visit(attachment) for every attachment point in use.
-template <class Visit>
-void for_each_attachment(const FramebufferObject& framebuffer, Visit visit) {
-  for (const Attachment& attachment : framebuffer.color) {
-    if (attachment.object_type() != GL_NONE) visit(attachment);
-  }
-  if (framebuffer.depth.object_type() != GL_NONE) visit(framebuffer.depth);
-  if (framebuffer.stencil.object_type() != GL_NONE) visit(framebuffer.stencil);
-}
-
 template <class Renderable>
 bool is_complete(const Attachment& attachment, Renderable renderable) {
   if (attachment.object_type() == GL_NONE) return true;
-  const Surface* const surface = attachment.surface();
-  return surface != nullptr && surface->width_px > 0 && surface->height_px > 0 && renderable(*surface);
+  const Surface surface = attachment.surface();
+  return surface.width_px > 0 && surface.height_px > 0 && renderable(surface);
+}
+
+/// An image that could be drawn into, but not by this implementation: of one or two channels, with a border, of several
+/// slices.
+bool is_supported(const Attachment& attachment) {
+  if (attachment.texture == nullptr) return true;
+  const pipeline::Image& image = attachment.image();
+  return image.empty() || attachment.layer >= image.depth || pipeline::is_attachable(image);
 }
 
 bool attachments_complete(const FramebufferObject& framebuffer) {
@@ -51,7 +51,17 @@ const Attachment* FramebufferObject::color_attachment(GLenum buffer) const {
   return buffer == GL_NONE ? nullptr : &color[buffer - GL_COLOR_ATTACHMENT0];
 }
 
+pipeline::Surface Attachment::surface() const {
+  if (renderbuffer != nullptr) return renderbuffer->surface;
+  if (texture == nullptr || layer >= image().depth) return {};
+  const GLenum format = texture->descriptions[face][level].internal_format;
+  return pipeline::surface_of(image(), format == GL_DEPTH_STENCIL || format == GL_DEPTH24_STENCIL8);
+}
+
 GLenum completeness(const FramebufferObject& framebuffer) {
+  bool supported = true;
+  for_each_attachment(framebuffer, [&](const Attachment& attachment) { supported = supported && is_supported(attachment); });
+  if (!supported) return GL_FRAMEBUFFER_UNSUPPORTED;
   if (!attachments_complete(framebuffer)) return GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
   bool any = false, same_samples = true;
   for_each_attachment(framebuffer, [&](const Attachment& attachment) {
@@ -70,12 +80,15 @@ GLenum completeness(const FramebufferObject& framebuffer) {
 pipeline::Framebuffer view_of(const FramebufferObject& framebuffer, GLenum buffer) {
   int width = std::numeric_limits<int>::max(), height = width;
   for_each_attachment(framebuffer, [&](const Attachment& attachment) {
-    width = std::min(width, attachment.surface()->width_px);
-    height = std::min(height, attachment.surface()->height_px);
+    const Surface surface = attachment.surface();
+    width = std::min(width, surface.width_px);
+    height = std::min(height, surface.height_px);
   });
-  const Attachment* const color = framebuffer.color_attachment(buffer);
-  return pipeline::Framebuffer(width, height, color != nullptr ? color->surface() : nullptr,
-                               framebuffer.depth.surface(), framebuffer.stencil.surface());
+  const Attachment* const attachment = framebuffer.color_attachment(buffer);
+  const Surface color = attachment != nullptr ? attachment->surface() : Surface{};
+  const Surface depth = framebuffer.depth.surface(), stencil = framebuffer.stencil.surface();
+  const auto given = [](const Surface& surface) { return surface.width_px > 0 ? &surface : nullptr; };
+  return pipeline::Framebuffer(width, height, given(color), given(depth), given(stencil));
 }
 
 GLsizei samples_of(const FramebufferObject& framebuffer) {

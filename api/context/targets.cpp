@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "api/context/context.h"
+#include "pipeline/texture/attachable.h"
 
 namespace gouraud::api {
 
@@ -10,9 +11,23 @@ GLenum Context::framebuffer_status(const FramebufferObject& framebuffer) const {
   return window_ != nullptr ? GL_FRAMEBUFFER_COMPLETE : GL_FRAMEBUFFER_UNDEFINED;
 }
 
+// Images that are drawn into lie in tiles, also after a program has specified them anew.
+void Context::tile_attachments(const FramebufferObject& framebuffer) {
+  for_each_attachment(framebuffer, [&](const Attachment& attachment) {
+    if (attachment.texture == nullptr) return;
+    pipeline::Image& image = attachment.image();
+    if (image.tiles != nullptr || !pipeline::is_attachable(image)) return;
+    finish_rendering();
+    pipeline::put_into_tiles(image);
+    change(dirty_textures);
+  });
+}
+
 // Pending vertices were given for the old target, which is still the renderer's: its views keep what was attached alive.
 void Context::update_targets() {
   const FramebufferObject &draw = *framebuffers.draw, &read = *framebuffers.read;
+  tile_attachments(draw);
+  tile_attachments(read);
   read_complete_ = read.is_window() || completeness(read) == GL_FRAMEBUFFER_COMPLETE;
   if (!read.is_window() && read_complete_) {
     read_view_ = view_of(read, read.read_buffer);

@@ -1,0 +1,158 @@
+// Textures as attachments: levels, faces, depth; the same texels for whoever samples or queries them.
+#include <cstdint>
+#include <vector>
+
+#include <GL/gl.h>
+#include <gtest/gtest.h>
+
+#include "api/commands/test_screen.h"
+
+namespace gouraud::api {
+namespace {
+
+GLenum status() { return glCheckFramebufferStatus(GL_FRAMEBUFFER); }
+
+void framebuffer() {
+  GLuint name = 0;
+  glGenFramebuffers(1, &name);
+  glBindFramebuffer(GL_FRAMEBUFFER, name);
+}
+
+GLuint texture_2d(GLenum internal_format, GLenum format, GLenum type, GLsizei side) {
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(internal_format), side, side, 0, format, type, nullptr);
+  return name;
+}
+
+std::vector<std::uint32_t> texels(GLenum target, GLint level, std::size_t count) {
+  std::vector<std::uint32_t> result(count);
+  glGetTexImage(target, level, GL_RGBA, GL_UNSIGNED_BYTE, result.data());
+  return result;
+}
+
+void clear_to(float r, float g, float b) {
+  glClearColor(r, g, b, 1);
+  glClear(GL_COLOR_BUFFER_BIT);
+}
+
+constexpr std::uint32_t red = 0xFF0000FF, green = 0xFF00FF00, blue = 0xFFFF0000;
+
+TEST(FramebufferTextures, WhatIsDrawnIsInTheTexture) {
+  const Screen screen;
+  const GLuint name = texture_2d(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 100);
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+  clear_to(1, 0, 0);
+  EXPECT_EQ(texels(GL_TEXTURE_2D, 0, 10000), std::vector<std::uint32_t>(10000, red));
+  const std::uint32_t dot = green;
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 99, 98, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &dot);
+  std::uint32_t read = 0;
+  glReadPixels(99, 98, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &read);
+  EXPECT_EQ(read, green);
+  EXPECT_EQ(glGetError(), GL_NO_ERROR);
+}
+
+TEST(FramebufferTextures, TexelsStayWhenAnImageIsAttached) {
+  const Screen screen;
+  const GLuint name = texture_2d(GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, 2);
+  const std::uint8_t given[12] = {1, 2, 3, 4, 5, 6, 0, 0, 7, 8, 9, 10};
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, 2, 1, 0, GL_RGB, GL_UNSIGNED_BYTE, given);
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+  std::uint32_t read[2] = {};
+  glReadPixels(0, 0, 2, 1, GL_RGBA, GL_UNSIGNED_BYTE, read);
+  EXPECT_EQ(read[0], 0xFF030201u);
+  EXPECT_EQ(read[1], 0xFF060504u);
+}
+
+TEST(FramebufferTextures, LevelsAndFacesAreDrawnApart) {
+  const Screen screen;
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_CUBE_MAP, name);
+  for (GLenum face = GL_TEXTURE_CUBE_MAP_POSITIVE_X; face <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z; ++face) {
+    glTexImage2D(face, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexImage2D(face, 1, GL_RGBA8, 2, 2, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  }
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, name, 1);
+  clear_to(0, 0, 1);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_CUBE_MAP_POSITIVE_Z, name, 0);
+  clear_to(1, 0, 0);
+  EXPECT_EQ(texels(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 1, 4), std::vector<std::uint32_t>(4, blue));
+  EXPECT_EQ(texels(GL_TEXTURE_CUBE_MAP_NEGATIVE_Y, 0, 16), std::vector<std::uint32_t>(16, 0));
+  EXPECT_EQ(texels(GL_TEXTURE_CUBE_MAP_POSITIVE_Z, 0, 16), std::vector<std::uint32_t>(16, red));
+  GLint value = 0;
+  glGetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0,
+                                        GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_CUBE_MAP_FACE, &value);
+  EXPECT_EQ(value, GL_TEXTURE_CUBE_MAP_POSITIVE_Z);
+  EXPECT_EQ(glGetError(), GL_NO_ERROR);
+}
+
+TEST(FramebufferTextures, ShadowMapsAreDepthAlone) {
+  const Screen screen;
+  struct {
+    GLenum internal_format, format, type;
+  } const cases[] = {{GL_DEPTH_COMPONENT, GL_DEPTH_COMPONENT, GL_FLOAT},
+                     {GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8}};
+  for (const auto& test : cases) {
+    const GLuint name = texture_2d(test.internal_format, test.format, test.type, 64);
+    framebuffer();
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, name, 0);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+    glClearDepth(0.5);
+    glClear(GL_DEPTH_BUFFER_BIT);
+    std::vector<float> depths(64 * 64);
+    glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    for (const float depth : depths) ASSERT_NEAR(depth, 0.5, 1e-6);
+    EXPECT_EQ(glGetError(), GL_NO_ERROR);
+  }
+}
+
+TEST(FramebufferTextures, ANewImageTakesTheOldOnesPlace) {
+  const Screen screen;
+  const GLuint name = texture_2d(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 8);
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+  clear_to(1, 0, 0);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 70, 70, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  clear_to(0, 1, 0);
+  EXPECT_EQ(texels(GL_TEXTURE_2D, 0, 4900), std::vector<std::uint32_t>(4900, green));
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, 8, 8, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, nullptr);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_UNSUPPORTED);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
+  glDeleteTextures(1, &name);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT);
+}
+
+TEST(FramebufferTextures, Errors) {
+  const Screen screen;
+  const GLuint name = texture_2d(GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 8);
+  const auto error_of = [](GLenum textarget, GLuint texture, GLint level) {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, textarget, texture, level);
+    return glGetError();
+  };
+  EXPECT_EQ(error_of(GL_TEXTURE_2D, name, 0), GL_INVALID_OPERATION) << "the window";
+  framebuffer();
+  EXPECT_EQ(error_of(GL_TEXTURE_2D, 99, 0), GL_INVALID_OPERATION);
+  EXPECT_EQ(error_of(GL_TEXTURE_CUBE_MAP_POSITIVE_X, name, 0), GL_INVALID_OPERATION);
+  EXPECT_EQ(error_of(GL_TEXTURE_3D, name, 0), GL_INVALID_ENUM);
+  EXPECT_EQ(error_of(GL_TEXTURE_2D, name, -1), GL_INVALID_VALUE);
+  EXPECT_EQ(error_of(GL_TEXTURE_2D, name, 15), GL_INVALID_VALUE);
+  EXPECT_EQ(error_of(GL_TEXTURE_2D, name, 1), GL_NO_ERROR);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
+  glGenerateMipmap(GL_TEXTURE_RECTANGLE_ARB);
+  EXPECT_EQ(glGetError(), GL_INVALID_ENUM);
+  glGenerateMipmap(GL_TEXTURE_2D);
+  EXPECT_EQ(glGetError(), GL_NO_ERROR);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+}
+
+}  // namespace
+}  // namespace gouraud::api
