@@ -38,7 +38,7 @@ void End(Context& context);
     batch.color[2][i] = current.color.z;
     batch.color[3][i] = current.color.w;
   }
-  if (immediate.demand & pipeline::attribute_edge_flag) batch.edge_flag[i] = current.edge_flag;
+  if (immediate.demand >= pipeline::attribute_secondary_color) keep_more_attributes(batch, immediate.demand, current);
   batch.count = static_cast<std::int32_t>(i) + 1;
 }
 

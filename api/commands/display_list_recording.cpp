@@ -50,16 +50,21 @@ bool reads_arrays(Opcode opcode) {
   }
 }
 
-ListTag tag_of(VertexValue::Kind kind) {
-  switch (kind) {
+// With `texture` a unit's name.
+ListTag tag_of(const VertexValue& value) {
+  switch (value.kind) {
     case VertexValue::Kind::position:
       return ListTag::position;
     case VertexValue::Kind::normal:
       return ListTag::normal;
     case VertexValue::Kind::color:
       return ListTag::color;
+    case VertexValue::Kind::secondary_color:
+      return ListTag::secondary_color;
+    case VertexValue::Kind::fog_coordinate:
+      return ListTag::fog_coordinate;
     default:
-      return ListTag::texture_coordinates;
+      return texture_coordinates_tag(value.texture - GL_TEXTURE0);
   }
 }
 
@@ -167,8 +172,9 @@ void append_command(const Context& context, DisplayList& list, Opcode opcode, co
 void append(Context& context, Opcode opcode, const void* record, std::size_t bytes) {
   ListCompiler& compiler = context.list_compiler;
   const VertexValue value = records::vertex_value(opcode, record);
-  if (value.kind != VertexValue::Kind::none) {
-    std::memcpy(compiler.list.append(tag_of(value.kind), sizeof(value.components)), value.components,
+  const bool names_a_unit = value.texture - GL_TEXTURE0 < static_cast<GLenum>(max_texture_units);
+  if (value.kind != VertexValue::Kind::none && names_a_unit) {
+    std::memcpy(compiler.list.append(tag_of(value), sizeof(value.components)), value.components,
                 sizeof(value.components));
     return;
   }

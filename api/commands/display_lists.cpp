@@ -38,21 +38,16 @@ const std::byte* execute_entry(Context& context, ListEntry entry, const std::byt
     case ListTag::position:
       checked::Vertex4f(context, v[0], v[1], v[2], v[3]);
       return next;
-    case ListTag::normal:
-      Normal3f(context, v[0], v[1], v[2]);
-      return next;
-    case ListTag::color:
-      Color4f(context, v[0], v[1], v[2], v[3]);
-      return next;
-    case ListTag::texture_coordinates:
-      TexCoord4f(context, v[0], v[1], v[2], v[3]);
-      return next;
     case ListTag::vertices:
       replay(context, *reinterpret_cast<const VertexRun*>(payload));
       return next;
     case ListTag::with_pixel_store:
       return execute_with_pixel_store(context, payload, next);
     default:
+      if (is_vertex_value(entry.tag)) {
+        set_vertex_value(context.state.current, entry.tag, v);
+        return next;
+      }
       records::execute(context, static_cast<records::Opcode>(entry.tag), payload);
       return next;
   }

@@ -1,12 +1,13 @@
 // Takes vertex arrays and the numbers of their elements, gives vertices to immediate mode's batch [GL1.5 §2.8, §2.9].
-// Blocks of positions, normals and colours are written to the batch at once; a draw that demands more of its vertices
-// goes through Vertex, element by element.
+// Blocks of every attribute that the draw demands are written to the batch at once; where edge flags are cleared,
+// vertices go through Vertex, element by element.
 // While a list is compiled the vertices go into it as Begin, values and End.
 // Leaves out: sharing of vertices that several indices name.
 #include "api/commands/draw_arrays.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <span>
 
@@ -113,12 +114,27 @@ void append_element(Context& context, const Sources& sources, GLuint element) {
   Vertex4f(context, position[0], position[1], position[2], position[3]);
 }
 
+int array_of(std::uint32_t attribute) {
+  switch (attribute) {
+    case pipeline::attribute_normal:
+      return array_normal;
+    case pipeline::attribute_color:
+      return array_color;
+    case pipeline::attribute_secondary_color:
+      return array_secondary_color;
+    case pipeline::attribute_fog_coordinate:
+      return array_fog_coordinate;
+    default:
+      return array_texture_coordinates + std::countr_zero(attribute / pipeline::attribute_texture_coordinates_0);
+  }
+}
+
 // One attribute of the batch's next elements.size() vertices: from its array, or the same value for all.
-template <int components>
-void append_attribute(pipeline::VertexArray<components>& attribute, std::int32_t first, const Sources& sources,
-                      int name, std::span<const GLuint> elements, const float* current) {
+template <std::size_t components>
+void append_attribute(std::array<std::array<float, pipeline::batch_stride>, components>& attribute, std::int32_t first,
+                      const Sources& sources, int name, std::span<const GLuint> elements, const float* current) {
   ElementTarget target;
-  target.count = components;
+  target.count = static_cast<int>(components);
   for (std::size_t c = 0; c < components; ++c) target.values[c] = &attribute[c][static_cast<std::size_t>(first)];
   if (sources.has(name)) return sources.at(name).fetch(sources.at(name), elements, target);
   for (std::size_t c = 0; c < components; ++c) std::fill_n(target.values[c], elements.size(), current[c]);
@@ -126,22 +142,18 @@ void append_attribute(pipeline::VertexArray<components>& attribute, std::int32_t
 
 // There is room for all of them.
 void append_elements(Context& context, const Sources& sources, std::span<const GLuint> elements) {
-  constexpr std::uint32_t in_blocks =
-      pipeline::attribute_normal | pipeline::attribute_color | pipeline::attribute_edge_flag;
   const CurrentGroup& current = context.state.current;
   const std::uint32_t demand = context.immediate.demand;
-  if ((demand & ~in_blocks) != 0 || sources.has(array_edge_flag) || !current.edge_flag) {
+  if (sources.has(array_edge_flag) || !current.edge_flag) {
     for (const GLuint element : elements) append_element(context, sources, element);
     return;
   }
   pipeline::VertexBatch& batch = context.immediate.batch;
-  append_attribute<4>(batch.position_object, batch.count, sources, array_vertex, elements, nullptr);
-  if (demand & pipeline::attribute_normal) {
-    append_attribute<3>(batch.normal_object, batch.count, sources, array_normal, elements, &current.normal_object[0]);
-  }
-  if (demand & pipeline::attribute_color) {
-    append_attribute<4>(batch.color, batch.count, sources, array_color, elements, &current.color[0]);
-  }
+  append_attribute(batch.position_object, batch.count, sources, array_vertex, elements, nullptr);
+  pipeline::for_each_attribute(batch, demand, [&](std::uint32_t attribute, auto& arrays) {
+    const float* const value = current_value(current, attribute);
+    append_attribute(arrays, batch.count, sources, array_of(attribute), elements, value);
+  });
   if (demand & pipeline::attribute_edge_flag) {
     std::fill_n(&batch.edge_flag[static_cast<std::size_t>(batch.count)], elements.size(), std::uint8_t{1});
   }

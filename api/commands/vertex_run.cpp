@@ -21,16 +21,31 @@ namespace {
 /// A shorter run takes less room and time as single entries.
 constexpr std::uint32_t least_vertices = 8;
 
+/// What there is to know of a value besides its tag.
 struct AttributeInfo {
-  ListTag tag;
-  RunAttribute VertexRun::*attribute;
+  std::uint32_t attribute;
   std::size_t components;
 };
 
-// In the order of their arrays.
-constexpr AttributeInfo attributes[] = {{ListTag::normal, &VertexRun::normal, 3},
-                                        {ListTag::color, &VertexRun::color, 4},
-                                        {ListTag::texture_coordinates, &VertexRun::texture_coordinates, 4}};
+std::size_t index_of(ListTag tag) { return static_cast<std::size_t>(tag) - static_cast<std::size_t>(ListTag::normal); }
+
+AttributeInfo info_of(ListTag tag) {
+  switch (tag) {
+    case ListTag::normal:
+      return {pipeline::attribute_normal, 3};
+    case ListTag::color:
+      return {pipeline::attribute_color, 4};
+    case ListTag::secondary_color:
+      return {pipeline::attribute_secondary_color, 3};
+    case ListTag::fog_coordinate:
+      return {pipeline::attribute_fog_coordinate, 1};
+    default: {
+      const std::size_t unit = index_of(tag) - index_of(ListTag::texture_coordinates);
+      return {pipeline::attribute_texture_coordinates(static_cast<int>(unit)), 4};
+    }
+  }
+}
+
 using Values = std::array<GLfloat, 4>;
 
 // Calls visit(tag, values) for each entry behind the Begin.
@@ -51,81 +66,87 @@ void for_each_value(std::span<const std::byte> entries, Visit visit) {
   }
 }
 
-const AttributeInfo& info_of(ListTag tag) {
-  return *std::find_if(std::begin(attributes), std::end(attributes), [=](const auto& info) { return info.tag == tag; });
-}
-
-VertexRun describe(std::span<const std::byte> entries, GLenum mode) {
+/// A run being made: every value that a run could set.
+struct Description {
   VertexRun run;
-  run.mode = mode;
+  std::array<RunAttribute, run_attributes> attributes{};
+  std::array<bool, run_attributes> changes{};
+};
+
+Description describe(std::span<const std::byte> entries, GLenum mode) {
+  Description result;
+  std::uint32_t& count = result.run.count;
+  result.run.mode = mode;
   for_each_value(entries, [&](ListTag tag, const Values& values) {
     if (tag == ListTag::position) {
-      ++run.count;
+      ++count;
       return;
     }
-    RunAttribute& attribute = run.*info_of(tag).attribute;
-    if (!attribute.changes) attribute.first = run.count;
-    if (attribute.first == run.count) attribute.own = values;
-    attribute.changes = true;
+    RunAttribute& attribute = result.attributes[index_of(tag)];
+    bool& changes = result.changes[index_of(tag)];
+    attribute.tag = tag;
+    if (!changes) attribute.first = count;
+    if (attribute.first == count) attribute.own = values;
+    changes = true;
     attribute.last = values;
   });
   // A value varies if a vertex came between two of its changes, and another vertex after them.
   std::uint32_t vertex = 0;
-  Values current[std::size(attributes)]{};
+  std::array<Values, run_attributes> current{};
   for_each_value(entries, [&](ListTag tag, const Values& values) {
     if (tag != ListTag::position) {
-      current[&info_of(tag) - attributes] = values;
+      current[index_of(tag)] = values;
       return;
     }
-    for (std::size_t i = 0; i < std::size(attributes); ++i) {
-      RunAttribute& attribute = run.*attributes[i].attribute;
-      if (!attribute.changes || vertex < attribute.first) continue;
+    for (std::size_t i = 0; i < run_attributes; ++i) {
+      RunAttribute& attribute = result.attributes[i];
+      if (!result.changes[i] || vertex < attribute.first) continue;
       attribute.varies |= std::memcmp(&current[i], &attribute.own, sizeof(Values)) != 0;
     }
     ++vertex;
   });
-  for (const AttributeInfo& info : attributes) {
-    RunAttribute& attribute = run.*info.attribute;
-    if (!attribute.changes) attribute.first = run.count;
-  }
-  return run;
+  for (const bool changes : result.changes) result.run.attribute_count += changes ? 1 : 0;
+  return result;
 }
 
-std::size_t float_count(const VertexRun& run) {
+std::size_t float_count(const Description& description) {
   std::size_t arrays = 4;
-  for (const AttributeInfo& info : attributes) arrays += (run.*info.attribute).varies ? info.components : 0;
-  return arrays * run.count;
+  for (const RunAttribute& attribute : description.attributes) {
+    if (attribute.varies) arrays += info_of(attribute.tag).components;
+  }
+  return arrays * description.run.count;
 }
 
-void fill(std::span<const std::byte> entries, const VertexRun& run, GLfloat* floats) {
-  const std::size_t count = run.count;
-  Values current[std::size(attributes)]{};
+void fill(std::span<const std::byte> entries, const Description& description, GLfloat* floats) {
+  const std::size_t count = description.run.count;
+  std::array<Values, run_attributes> current{};
   std::size_t vertex = 0;
   for_each_value(entries, [&](ListTag tag, const Values& values) {
     if (tag != ListTag::position) {
-      current[&info_of(tag) - attributes] = values;
+      current[index_of(tag)] = values;
       return;
     }
     GLfloat* array = floats + vertex;
     for (std::size_t c = 0; c < 4; ++c, array += count) *array = values[c];
-    for (std::size_t i = 0; i < std::size(attributes); ++i) {
-      if (!(run.*attributes[i].attribute).varies) continue;
-      for (std::size_t c = 0; c < attributes[i].components; ++c, array += count) *array = current[i][c];
+    for (std::size_t i = 0; i < run_attributes; ++i) {
+      const RunAttribute& attribute = description.attributes[i];
+      if (!attribute.varies) continue;
+      for (std::size_t c = 0; c < info_of(attribute.tag).components; ++c, array += count) *array = current[i][c];
     }
     ++vertex;
   });
 }
 
-void set_current(Context& context, ListTag tag, const Values& v) {
-  if (tag == ListTag::normal) Normal3f(context, v[0], v[1], v[2]);
-  if (tag == ListTag::color) Color4f(context, v[0], v[1], v[2], v[3]);
-  if (tag == ListTag::texture_coordinates) TexCoord4f(context, v[0], v[1], v[2], v[3]);
+std::span<const RunAttribute> attributes_of(const VertexRun& run) {
+  return {reinterpret_cast<const RunAttribute*>(&run + 1), run.attribute_count};
+}
+const GLfloat* floats_of(const VertexRun& run) {
+  return reinterpret_cast<const GLfloat*>(reinterpret_cast<const RunAttribute*>(&run + 1) + run.attribute_count);
 }
 
 void set_last(Context& context, const VertexRun& run) {
-  for (const AttributeInfo& info : attributes) {
-    const RunAttribute& attribute = run.*info.attribute;
-    if (attribute.changes) set_current(context, info.tag, attribute.last);
+  for (const RunAttribute& attribute : attributes_of(run)) {
+    set_vertex_value(context.state.current, attribute.tag, attribute.last.data());
   }
 }
 
@@ -142,12 +163,11 @@ struct Cursor {
 
 // The run's vertices [first, first + count) of one attribute into the batch's arrays from vertex `to` on. `before` is
 // what vertices have that come before the attribute's first own value.
-template <std::size_t components>
-void copy_attribute(pipeline::VertexArray<static_cast<int>(components)>& target, std::size_t to,
-                    const RunAttribute& attribute, Cursor arrays, std::size_t first, std::size_t count,
-                    const GLfloat* before) {
+template <class Arrays>
+void copy_attribute(Arrays& target, std::size_t to, const RunAttribute& attribute, Cursor arrays, std::size_t first,
+                    std::size_t count, const GLfloat* before) {
   const std::size_t foreign = std::min<std::size_t>(attribute.first > first ? attribute.first - first : 0, count);
-  for (std::size_t c = 0; c < components; ++c) {
+  for (std::size_t c = 0; c < target.size(); ++c) {
     GLfloat* const destination = target[c].data() + to;
     std::fill_n(destination, foreign, before[c]);
     if (attribute.varies) {
@@ -163,15 +183,23 @@ void copy_block(Context& context, const VertexRun& run, std::size_t first, std::
   pipeline::VertexBatch& batch = context.immediate.batch;
   const CurrentGroup& current = context.state.current;
   const auto to = static_cast<std::size_t>(batch.count);
-  Cursor arrays{reinterpret_cast<const GLfloat*>(&run + 1), run.count};
+  Cursor arrays{floats_of(run), run.count};
   for (auto& component : batch.position_object) std::copy_n(arrays.next() + first, count, component.data() + to);
-  if (context.immediate.demand & pipeline::attribute_normal) {
-    copy_attribute<3>(batch.normal_object, to, run.normal, arrays, first, count, glm::value_ptr(current.normal_object));
+
+  // Values that the run sets, then those that it leaves as they are.
+  std::uint32_t unset = context.immediate.demand;
+  for (const RunAttribute& attribute : attributes_of(run)) {
+    const AttributeInfo info = info_of(attribute.tag);
+    pipeline::for_each_attribute(batch, context.immediate.demand & info.attribute, [&](std::uint32_t, auto& target) {
+      copy_attribute(target, to, attribute, arrays, first, count, current_value(current, info.attribute));
+    });
+    if (attribute.varies) arrays.array += info.components * arrays.count;
+    unset &= ~info.attribute;
   }
-  if (run.normal.varies) arrays.array += 3 * arrays.count;
-  if (context.immediate.demand & pipeline::attribute_color) {
-    copy_attribute<4>(batch.color, to, run.color, arrays, first, count, glm::value_ptr(current.color));
-  }
+  pipeline::for_each_attribute(batch, unset, [&](std::uint32_t attribute, auto& target) {
+    const GLfloat* value = current_value(current, attribute);
+    for (auto& component : target) std::fill_n(component.data() + to, count, *value++);
+  });
   if (context.immediate.demand & pipeline::attribute_edge_flag) {
     std::fill_n(batch.edge_flag.data() + to, count, static_cast<std::uint8_t>(current.edge_flag));
   }
@@ -193,16 +221,15 @@ void copy_vertices(Context& context, const VertexRun& run) {
 void replay_one_by_one(Context& context, const VertexRun& run) {
   checked::Begin(context, run.mode);
   for (std::size_t vertex = 0; vertex < run.count; ++vertex) {
-    Cursor arrays{reinterpret_cast<const GLfloat*>(&run + 1) + vertex, run.count};
+    Cursor arrays{floats_of(run) + vertex, run.count};
     Values position;
     for (GLfloat& component : position) component = *arrays.next();
-    for (const AttributeInfo& info : attributes) {
-      const RunAttribute& attribute = run.*info.attribute;
+    for (const RunAttribute& attribute : attributes_of(run)) {
       Values values = attribute.own;
       if (attribute.varies) {
-        for (std::size_t c = 0; c < info.components; ++c) values[c] = *arrays.next();
+        for (std::size_t c = 0; c < info_of(attribute.tag).components; ++c) values[c] = *arrays.next();
       }
-      if (vertex >= attribute.first) set_current(context, info.tag, values);
+      if (vertex >= attribute.first) set_vertex_value(context.state.current, attribute.tag, values.data());
     }
     checked::Vertex4f(context, position[0], position[1], position[2], position[3]);
   }
@@ -212,18 +239,45 @@ void replay_one_by_one(Context& context, const VertexRun& run) {
 
 }  // namespace
 
+void set_vertex_value(CurrentGroup& current, ListTag tag, const GLfloat* v) {
+  switch (tag) {
+    case ListTag::normal:
+      current.normal_object = glm::make_vec3(v);
+      break;
+    case ListTag::color:
+      current.color = glm::make_vec4(v);
+      break;
+    case ListTag::secondary_color:
+      current.secondary_color = glm::vec4(v[0], v[1], v[2], 1.0f);
+      break;
+    case ListTag::fog_coordinate:
+      current.fog_coordinate = v[0];
+      break;
+    default:
+      current.texture_coordinates[index_of(tag) - index_of(ListTag::texture_coordinates)] = glm::make_vec4(v);
+      break;
+  }
+}
+
 bool make_vertex_run(DisplayList& list, std::size_t begin, GLenum mode) {
   const auto entries = list.entries().subspan(begin);
-  const VertexRun run = describe(entries, mode);
-  const std::size_t bytes = sizeof(run) + float_count(run) * sizeof(GLfloat);
+  const Description description = describe(entries, mode);
+  const VertexRun& run = description.run;
+  std::vector<GLfloat> floats(float_count(description));
+  const std::size_t bytes = sizeof(run) + run.attribute_count * sizeof(RunAttribute) + floats.size() * sizeof(GLfloat);
   if (run.count < least_vertices || bytes > DisplayList::max_payload_bytes) return false;
-  std::vector<GLfloat> floats(float_count(run));
-  fill(entries, run, floats.data());
+  fill(entries, description, floats.data());
   list.make_room(bytes);
   list.truncate(begin);
-  std::byte* const payload = list.append(ListTag::vertices, bytes);
+  std::byte* payload = list.append(ListTag::vertices, bytes);
   std::memcpy(payload, &run, sizeof(run));
-  std::memcpy(payload + sizeof(run), floats.data(), floats.size() * sizeof(GLfloat));
+  payload += sizeof(run);
+  for (std::size_t i = 0; i < run_attributes; ++i) {
+    if (!description.changes[i]) continue;
+    std::memcpy(payload, &description.attributes[i], sizeof(RunAttribute));
+    payload += sizeof(RunAttribute);
+  }
+  std::memcpy(payload, floats.data(), floats.size() * sizeof(GLfloat));
   return true;
 }
 

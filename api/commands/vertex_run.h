@@ -10,21 +10,30 @@
 
 namespace gouraud::api {
 
+/// Values beside the position that a run can hold, in the order of their tags.
+inline constexpr std::size_t run_attributes = 4 + max_texture_units;
+
+/// True for the tags of current values: normal to last_value.
+constexpr bool is_vertex_value(ListTag tag) { return tag >= ListTag::normal && tag <= ListTag::last_value; }
+/// Makes it current.
+void set_vertex_value(CurrentGroup& current, ListTag tag, const GLfloat* values);
+
 /// A current value over a run: up to its first change the run takes what is current when it is executed.
 struct RunAttribute {
-  bool changes = false;     ///< the run sets it at all; `last` is then current behind the run
+  ListTag tag = ListTag::normal;
   std::uint32_t first = 0;  ///< the first vertex that has the run's own value; the count if none has
   bool varies = false;      ///< its own values lie in the arrays, as many as there are vertices; else `own` holds it
   std::array<GLfloat, 4> own{};
-  std::array<GLfloat, 4> last{};
+  std::array<GLfloat, 4> last{};  ///< is current behind the run
 };
 
-/// The head of an entry's payload. Behind it, arrays of `count` floats: x, y, z, w of the positions, then the
-/// components of each attribute that varies.
+/// The head of an entry's payload. Behind it, a RunAttribute for each value that the run sets, in the order of their tags;
+/// then arrays of `count` floats: x, y, z, w of the positions, and the components of each attribute that varies.
 struct VertexRun {
   GLenum mode = 0;
   std::uint32_t count = 0;
-  RunAttribute normal, color, texture_coordinates;  // 3, 4 and 4 components
+  std::uint32_t attribute_count = 0;
+  std::uint32_t unused = 0;
 };
 
 /// Puts a run of `mode` in place of the list's entries from offset `begin` on: a Begin, then only vertices and their

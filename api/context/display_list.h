@@ -12,6 +12,7 @@
 #include <GL/gl.h>
 
 #include "api/context/name_ranges.h"
+#include "api/state/limits.h"
 #include "api/state/pixel_store.h"
 
 namespace gouraud::api {
@@ -22,10 +23,17 @@ enum class ListTag : std::uint16_t {
   position = first_own,  ///< of a vertex; four floats, as those that follow
   normal,
   color,
-  texture_coordinates,
+  secondary_color,
+  fog_coordinate,
+  texture_coordinates,  ///< of unit 0; unit k's tag is k more
+  last_value = texture_coordinates + max_texture_units - 1,
   vertices,          ///< a whole Begin/End that holds only the above: a VertexRun (commands/vertex_run.h)
   with_pixel_store,  ///< the PixelStore for the command that follows
 };
+
+constexpr ListTag texture_coordinates_tag(GLuint unit) {
+  return static_cast<ListTag>(static_cast<GLuint>(ListTag::texture_coordinates) + unit);
+}
 
 /// Stands before each entry's payload. Both are multiples of 8 bytes long and aligned so.
 struct ListEntry {

@@ -3,6 +3,7 @@
 #include "api/context/immediate.h"
 
 #include <array>
+#include <bit>
 
 #include "api/context/context.h"
 #include "api/snapshot/lighting_snapshot.h"
@@ -59,13 +60,14 @@ Carried vertices_to_carry(const pipeline::PrimitiveRange& range) {
   }
 }
 
-// from >= to.
-void move_vertex(VertexBatch& batch, std::int32_t from, std::int32_t to) {
-  const auto source = static_cast<std::size_t>(from), target = static_cast<std::size_t>(to);
-  for (auto& component : batch.position_object) component[target] = component[source];
-  for (auto& component : batch.normal_object) component[target] = component[source];
-  for (auto& component : batch.color) component[target] = component[source];
-  batch.edge_flag[target] = batch.edge_flag[source];
+// With the attributes that are kept. from >= to.
+void move_vertex(VertexBatch& batch, std::uint32_t demand, std::int32_t from, std::int32_t to) {
+  const auto move = [source = static_cast<std::size_t>(from), target = static_cast<std::size_t>(to)](auto& arrays) {
+    for (auto& component : arrays) component[target] = component[source];
+  };
+  move(batch.position_object);
+  pipeline::for_each_attribute(batch, demand, [&](std::uint32_t, auto& arrays) { move(arrays); });
+  batch.edge_flag[static_cast<std::size_t>(to)] = batch.edge_flag[static_cast<std::size_t>(from)];
 }
 
 pipeline::MaterialPair material_at(const VertexBatch& batch, const pipeline::MaterialPair& first, std::int32_t vertex) {
@@ -86,6 +88,33 @@ void append_material(VertexBatch& batch, const pipeline::MaterialPair& material)
 }
 
 }  // namespace
+
+void keep_more_attributes(VertexBatch& batch, std::uint32_t demand, const CurrentGroup& current) {
+  constexpr std::uint32_t kept = pipeline::attribute_normal | pipeline::attribute_color;
+  const auto i = static_cast<std::size_t>(batch.count);
+  pipeline::for_each_attribute(batch, demand & ~kept, [&](std::uint32_t attribute, auto& arrays) {
+    const float* value = current_value(current, attribute);
+    for (auto& component : arrays) component[i] = *value++;
+  });
+  if (demand & pipeline::attribute_edge_flag) batch.edge_flag[i] = current.edge_flag;
+}
+
+const float* current_value(const CurrentGroup& current, std::uint32_t attribute) {
+  switch (attribute) {
+    case pipeline::attribute_normal:
+      return &current.normal_object[0];
+    case pipeline::attribute_color:
+      return &current.color[0];
+    case pipeline::attribute_secondary_color:
+      return &current.secondary_color[0];
+    case pipeline::attribute_fog_coordinate:
+      return &current.fog_coordinate;
+    default: {
+      const auto unit = static_cast<std::size_t>(std::countr_zero(attribute / pipeline::attribute_texture_coordinates_0));
+      return &current.texture_coordinates[unit][0];
+    }
+  }
+}
 
 void Context::draw_pending() {
   VertexBatch& batch = immediate.batch;
@@ -155,7 +184,7 @@ bool Context::make_room_for_vertex() {
     } else if (materials[k] != materials[k - 1]) {
       append_material(batch, materials[k]);
     }
-    move_vertex(batch, carried.from[k], batch.count++);
+    move_vertex(batch, immediate.demand, carried.from[k], batch.count++);
   }
   if (carried.count > 0 && immediate.material != materials[static_cast<std::size_t>(carried.count - 1)]) {
     append_material(batch, immediate.material);

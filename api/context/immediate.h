@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "api/state/current.h"
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/geometry/vertex_batch.h"
 
@@ -22,5 +23,11 @@ struct Immediate {
   pipeline::MaterialPair material{};
   pipeline::VertexBatch batch;
 };
+
+/// The components of what a vertex attribute takes from the current values.
+const float* current_value(const CurrentGroup& current, std::uint32_t attribute);
+
+/// Gives the batch's next vertex the attributes in `demand` beyond normal and colour.
+void keep_more_attributes(pipeline::VertexBatch& batch, std::uint32_t demand, const CurrentGroup& current);
 
 }  // namespace gouraud::api

@@ -343,6 +343,13 @@ TEST(Records, VertexValueConvertsLikeTheCommand) {
   check(records::Opcode::Normal3b, &normal, Kind::normal, {1, -1, 1, 0});
   const records::TexCoord1dv coordinates{{0.5}};
   check(records::Opcode::TexCoord1dv, &coordinates, Kind::texture_coordinates, {0.5f, 0, 0, 1});
+  const records::SecondaryColor3ub secondary{255, 0, 51};
+  check(records::Opcode::SecondaryColor3ub, &secondary, Kind::secondary_color, {1, 0, 0.2f, 0});
+  const records::FogCoordd fog{2.5};
+  check(records::Opcode::FogCoordd, &fog, Kind::fog_coordinate, {2.5f, 0, 0, 0});
+  const records::MultiTexCoord2s multi{GL_TEXTURE3, 7, -8};
+  check(records::Opcode::MultiTexCoord2s, &multi, Kind::texture_coordinates, {7, -8, 0, 1});
+  EXPECT_EQ(records::vertex_value(records::Opcode::MultiTexCoord2s, &multi).texture, static_cast<GLenum>(GL_TEXTURE3));
   const records::Begin begin{GL_POINTS};
   check(records::Opcode::Begin, &begin, Kind::none, {0, 0, 0, 0});
 }

@@ -15,7 +15,8 @@ LENGTHS = {
 }
 
 # The commands whose records vertex_value() understands: canonical command -> what it gives.
-VERTEX_VALUES = {"Vertex4f": "position", "Normal3f": "normal", "Color4f": "color", "TexCoord4f": "texture_coordinates"}
+VERTEX_VALUES = {"Vertex4f": "position", "Normal3f": "normal", "Color4f": "color", "SecondaryColor3f": "secondary_color",
+                 "FogCoordf": "fog_coordinate", "TexCoord4f": "texture_coordinates", "MultiTexCoord4f": "texture_coordinates"}
 
 RECORDS_H = """\
 #pragma once
@@ -69,12 +70,14 @@ extern const RecordInfo record_infos[opcode_count];
 
 /// A vertex, or a current value that the next vertices take, in the canonical form of its family.
 struct VertexValue {{
-  enum class Kind : std::uint8_t {{ none, position, normal, color, texture_coordinates }};
+  enum class Kind : std::uint8_t {{ none, position, normal, color, secondary_color, fog_coordinate, texture_coordinates }};
   Kind kind = Kind::none;
   GLfloat components[4] = {{}};
+  GLenum texture = GL_TEXTURE0;  // of texture_coordinates: as given, it may name no unit
 }};
 
-/// What a record of glVertex, glNormal, glColor or glTexCoord of any type gives; none for other commands.
+/// What a record of glVertex, glNormal, glColor, glSecondaryColor, glFogCoord, glTexCoord or glMultiTexCoord of any type
+/// gives; none for other commands.
 VertexValue vertex_value(Opcode opcode, const void* record);
 
 /// Carries out one record, errors included, just as if the command were called now.
@@ -190,5 +193,6 @@ def _vertex_value_case(command):
     if family is None or family.canonical not in VERTEX_VALUES:
         return ""
     values = ", ".join(handlers_module.family_values(command, family, prefix="r."))
+    texture = f", r.{command.params[0].name}" if family.leading else ""
     return (f"    case Opcode::{command.name}: {{\n      const auto& r = *static_cast<const {command.name}*>(record);\n"
-            f"      return {{VertexValue::Kind::{VERTEX_VALUES[family.canonical]}, {{{values}}}}};\n    }}\n")
+            f"      return {{VertexValue::Kind::{VERTEX_VALUES[family.canonical]}, {{{values}}}{texture}}};\n    }}\n")

@@ -6,12 +6,15 @@
 #include <cstdio>
 #include <string_view>
 
+#include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/alpha.h"
 #include "pipeline/fragment/blend.h"
 #include "pipeline/fragment/color_write.h"
 #include "pipeline/fragment/coverage.h"
 #include "pipeline/fragment/depth.h"
 #include "pipeline/fragment/polygon_stipple.h"
+#include "pipeline/fragment/varyings.h"
+#include "pipeline/geometry/texture_coordinates.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -93,18 +96,73 @@ void describe_rasterization(const DrawState& state, const Line& line) {
   if (state.polygons.offset_fill || state.polygons.offset_line || state.polygons.offset_point) line("polygon offset", "", "§3.5.5");
 }
 
-/// Which vertex stages, and which attributes, does that take?
-void plan_vertices(const DrawState& state, Plan& plan) {
+SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
+  const bool has_one = state.lighting.enabled ? state.lighting.separate_specular : state.color_sum;
+  if (!plan.colors || !has_one) return SecondaryColor::none;
+  return plan.textured ? SecondaryColor::interpolated : SecondaryColor::summed_at_vertices;
+}
+
+/// Fragments get their final colours before the depth test only if the alpha test needs them.
+void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
+  const bool has_varyings = plan.textured;
+  const auto shade = [&] {
+    plan.fragment.add(color_interpolation_pass());
+    if (has_varyings) plan.fragment.add(varying_interpolation_pass());
+    if (plan.coverage) plan.fragment.add(coverage_pass());
+  };
+  if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
+  if (plan.alpha_test) {
+    shade();
+    plan.fragment.add(alpha_test_pass(target.color));
+  }
+  if (plan.depth) plan.fragment.add(depth_test_pass(state.raster.depth.func, target.depth));
+  if (!plan.writes_color) return;
+  const bool keeps_colors = plan.blends || plan.coverage || plan.alpha_test || has_varyings;  // between interpolation and write
+  if (keeps_colors && !plan.alpha_test) shade();
+  plan.fragment.add(keeps_colors ? blend_pass(state.raster, target.color)
+                                 : color_write_pass(target.color, state.raster.color_write_mask));
+}
+
+void demand_colors(const DrawState& state, Plan& plan) {
   plan.lighting = plan.colors && state.lighting.enabled;
   plan.vertex_colors = plan.colors && !state.lighting.enabled;
+  plan.secondary_vertex_colors = plan.vertex_colors && plan.secondary_color != SecondaryColor::none;
   plan.normals = plan.lighting && state.lighting.light_count > 0;
   plan.eye_positions = state.report.eye_positions || state.points.attenuated ||
                        (plan.lighting && (any_positional(state.lighting) || (plan.normals && state.lighting.local_viewer)));
-  if (plan.normals) plan.vertex_demand |= attribute_normal;
   const bool color_material = (state.lighting.color_material_front | state.lighting.color_material_back) != material_none;
   if (plan.vertex_colors || (plan.lighting && color_material)) plan.vertex_demand |= attribute_color;
+  if (plan.secondary_vertex_colors) plan.vertex_demand |= attribute_secondary_color;
+}
+
+void demand_texture_coordinates(const DrawState& state, Plan& plan) {
+  for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
+    const TextureUnitState& unit = state.texturing.unit[i];
+    const TextureCoordinateNeeds needs = needs_of(state.texture_coordinates.unit[unit.unit], coordinate_dimensions(unit));
+    if (needs.given) plan.vertex_demand |= attribute_texture_coordinates(unit.unit);
+    plan.eye_positions |= needs.position_eye;
+    plan.normals |= needs.normal_eye;
+  }
+}
+
+/// Which vertex stages, and which attributes, does that take?
+void plan_vertices(const DrawState& state, Plan& plan) {
+  demand_colors(state, plan);
+  demand_texture_coordinates(state, plan);
+  if (plan.normals) plan.vertex_demand |= attribute_normal;
   const bool filled = state.assembly.polygon_mode_front == PolygonMode::fill && state.assembly.polygon_mode_back == PolygonMode::fill;
   if (!filled) plan.vertex_demand |= attribute_edge_flag;
+}
+
+std::string describe_coordinates(const TextureCoordinateSource& source, int unit) {
+  constexpr std::array<std::string_view, 6> modes{"given", "object linear", "eye linear", "sphere map", "normal map", "reflection map"};
+  std::string text = "unit " + std::to_string(unit);
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (source.mode[c] == TexgenMode::given) continue;
+    text.append(", ").append(1, "strq"[c]).append(" ").append(modes[static_cast<std::size_t>(source.mode[c])]);
+  }
+  if (source.transformed) text += ", transformed";
+  return text;
 }
 
 }  // namespace
@@ -135,19 +193,10 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   plan.blends = writes_color && (state.raster.blend.enabled || state.raster.logic_op != LogicOp::copy);
   plan.polygon_stipple = state.raster.polygon_stipple.enabled;
   plan.coverage = plan.colors && (state.points.smooth || state.lines.smooth || state.polygons.smooth);
-  if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
-  if (plan.alpha_test) plan.fragment.add(color_interpolation_pass());
-  if (plan.alpha_test && plan.coverage) plan.fragment.add(coverage_pass());
-  if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
-  if (plan.depth) plan.fragment.add(depth_test_pass(state.raster.depth.func, target.depth));
-  const bool keeps_colors = plan.blends || plan.coverage;  // between interpolation and write
-  if (keeps_colors && !plan.alpha_test) plan.fragment.add(color_interpolation_pass());
-  if (plan.coverage && !plan.alpha_test) plan.fragment.add(coverage_pass());
   plan.writes_color = writes_color;
-  if (writes_color) {
-    plan.fragment.add(keeps_colors || plan.alpha_test ? blend_pass(state.raster, target.color)
-                                                     : color_write_pass(target.color, state.raster.color_write_mask));
-  }
+  plan.textured = plan.colors && state.texturing.count > 0;
+  plan.secondary_color = secondary_color(state, plan);
+  add_fragment_passes(state, target, plan);
 
   plan_vertices(state, plan);
   return plan;
@@ -168,7 +217,12 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     line("transform normals", scaling[static_cast<std::size_t>(state.transform.normal_scaling)], "§2.11.3");
   }
   if (plan.lighting) line("light", describe_lights(state.lighting), "§2.14.1");
-  if (plan.vertex_colors) line("clamp vertex colors", "", "§2.14.6");
+  if (plan.vertex_colors) line("clamp vertex colors", plan.secondary_vertex_colors ? "and secondary colors" : "", "§2.14.6");
+  if (plan.secondary_color == SecondaryColor::summed_at_vertices) line("add the secondary color", "at the vertices", "§3.9");
+  for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
+    const int unit = state.texturing.unit[i].unit;
+    line("texture coordinates", describe_coordinates(state.texture_coordinates.unit[static_cast<std::size_t>(unit)], unit), "§2.11.4");
+  }
   line("clip and project", "", "§2.12, §2.11.1");
   if (plan.reports) {
     line("report", "", "§5.2, §5.3");

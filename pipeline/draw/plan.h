@@ -19,6 +19,9 @@ struct TargetFormat {
   bool operator==(const TargetFormat&) const = default;
 };
 
+/// Where the secondary colour is added [GL1.5 §3.9]: at the vertices, unless a texture stands between.
+enum class SecondaryColor : std::uint8_t { none, summed_at_vertices, interpolated };
+
 struct Plan {
   /// False if no fragment of this draw can change the target (all writes masked, everything culled, empty scissor):
   /// vertices need not even be kept.
@@ -33,10 +36,14 @@ struct Plan {
   bool normals = false;
   bool lighting = false;
   bool vertex_colors = false;  ///< without lighting: clamp the current colours
+  bool secondary_vertex_colors = false;  ///< without lighting: and the secondary ones
 
   // What is interpolated.
   bool colors = false;
   bool depth = false;
+  bool textured = false;  ///< the coordinates of the textured units
+  bool fog = false;       ///< the fog coordinate
+  SecondaryColor secondary_color = SecondaryColor::none;
 
   // What becomes of fragments and their colours.
   bool polygon_stipple = false;

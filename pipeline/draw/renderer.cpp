@@ -13,6 +13,7 @@
 #endif
 
 #include "pipeline/draw/tiles.h"
+#include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/color_write.h"
 #include "pipeline/geometry/assembly.h"
 #include "pipeline/geometry/clipping.h"
@@ -20,6 +21,7 @@
 #include "pipeline/geometry/lighting.h"
 #include "pipeline/geometry/normals.h"
 #include "pipeline/geometry/processed_vertices.h"
+#include "pipeline/geometry/texture_coordinates.h"
 #include "pipeline/geometry/transform.h"
 #include "pipeline/geometry/viewport.h"
 #include "pipeline/raster/setup.h"
@@ -47,7 +49,7 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
   setup.flat = state.assembly.shade_model == ShadeModel::flat;
   setup.colors = plan.colors;
   setup.two_sided = plan.lighting && state.lighting.two_sided;
-  setup.separate_specular = plan.lighting && state.lighting.separate_specular;
+  setup.color_sum = plan.secondary_color == SecondaryColor::summed_at_vertices;
   setup.points = state.points;
   setup.lines = state.lines;
   setup.polygons = state.polygons;
@@ -86,7 +88,8 @@ LineSpan unclipped_span(const ViewportState& viewport, const ProcessedVertices& 
 struct Renderer::Implementation {
   explicit Implementation(int thread_count) : bins(thread_count) {}
 
-  void run_vertex_stages(const DrawState& state, const Plan& plan, const VertexBatch& batch);
+  void prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings);
+  void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   void draw_primitives(const DrawState& state, const VertexBatch& batch);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
@@ -128,12 +131,37 @@ struct Renderer::Implementation {
   ProcessedVertices vertices;
 };
 
-void Renderer::Implementation::run_vertex_stages(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
+/// What a draw needs of the stages after the vertices.
+void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings) {
+  const TexturingState* texturing = plan.textured ? bins.intern(state.texturing) : nullptr;
+  setup = bins.intern(make_setup_state(state, plan, *bins.target()),
+                      {state.raster, plan.fragment, varyings, plan.colors, texturing});
+  viewport = state.viewport;
+  mode_front = state.assembly.polygon_mode_front;
+  mode_back = state.assembly.polygon_mode_back;
+  plain_points = are_plain_points(*setup);
+  plain_lines = are_plain_lines(*setup);
+  unfilled = mode_front != PolygonMode::fill || mode_back != PolygonMode::fill;
+  clip_attributes = {plan.eye_positions, plan.colors, setup->two_sided, plan.secondary_color != SecondaryColor::none,
+                     varyings.of_vertices()};
+}
+
+void Renderer::Implementation::run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings,
+                                                 const VertexBatch& batch) {
   transform_to_clip(state.transform, batch, vertices);
   if (plan.eye_positions) transform_to_eye(state.transform, batch, vertices);
   if (plan.normals) transform_normals(state.transform, batch, vertices);
   if (plan.lighting) light_vertices(state.lighting, batch, vertices);
   if (plan.vertex_colors) clamp_vertex_colors(batch, vertices);
+  if (plan.secondary_vertex_colors) clamp_secondary_colors(batch, vertices);
+  for (int unit = 0; plan.textured && unit < max_texture_units; ++unit) {
+    const auto k = static_cast<std::size_t>(unit);
+    const TextureCoordinateLayout& layout = varyings.texture_coordinates[k];
+    if (layout.first >= 0) make_texture_coordinates(state.texture_coordinates.unit[k], layout, unit, batch, vertices);
+  }
+  if (plan.fog) {
+    make_fog_coordinates(state.transform, state.raster.fog, batch, vertices.varying[static_cast<std::size_t>(varyings.fog_coordinate)]);
+  }
   project_to_window(state.viewport, vertices);
 }
 
@@ -144,11 +172,13 @@ void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) 
 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
-  auto* waiting = static_cast<WaitingTriangle*>(bins.allocate(ready.size() * sizeof(WaitingTriangle)));
+  const std::size_t bytes = waiting_size(*setup);
+  auto* waiting = static_cast<std::byte*>(bins.allocate(ready.size() * bytes));
   const std::size_t selected = select_triangles(*setup, vertices, ready, waiting);
-  bins.take_back((ready.size() - selected) * sizeof(WaitingTriangle));
+  bins.take_back((ready.size() - selected) * bytes);
   for (std::size_t i = 0; i < selected; ++i) {
-    setup->polygons.smooth ? add_smooth_triangle(waiting[i]) : bins.add_triangle(waiting[i]);
+    const auto& triangle = *reinterpret_cast<WaitingTriangle*>(waiting + i * bytes);
+    setup->polygons.smooth ? add_smooth_triangle(triangle) : bins.add_triangle(triangle);
   }
   ready.clear();
 }
@@ -360,25 +390,18 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   if (target() == nullptr) return;
   if (plan.reports) {
     if (self.receiver == nullptr) return;
-    self.run_vertex_stages(state, plan, batch);
+    self.run_vertex_stages(state, plan, {}, batch);
     return report_primitives(state, plan, batch, self.vertices, *self.receiver);
   }
   if (self.observer != nullptr) self.observer->draw(state, batch);
   if (!plan.draws) return;
 
-  // What this draw needs of the stages after the vertices.
-  self.setup = self.bins.intern(make_setup_state(state, plan, *target()), {state.raster, plan.fragment});
-  self.viewport = state.viewport;
-  self.mode_front = state.assembly.polygon_mode_front;
-  self.mode_back = state.assembly.polygon_mode_back;
-  self.plain_points = are_plain_points(*self.setup);
-  self.plain_lines = are_plain_lines(*self.setup);
-  self.unfilled = self.mode_front != PolygonMode::fill || self.mode_back != PolygonMode::fill;
-  self.clip_attributes = {plan.eye_positions, plan.colors, self.setup->two_sided, self.setup->separate_specular};
+  const VaryingLayout varyings = make_varying_layout(state, plan, batch);
+  self.prepare(state, plan, varyings);
   self.dirty = true;
 
   // Vertices, then primitives in order.
-  self.run_vertex_stages(state, plan, batch);
+  self.run_vertex_stages(state, plan, varyings, batch);
   self.batch_count = batch.count;
   target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
   if (self.bins.full()) self.run_bins();
@@ -386,7 +409,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
 
 ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
   Implementation& self = *implementation_;
-  self.run_vertex_stages(state, plan, batch);
+  self.run_vertex_stages(state, plan, {}, batch);
   ProcessedVertex result;
   result.inside = self.vertices.outcode[0] == 0;
   if (!result.inside) return result;

@@ -33,6 +33,9 @@ constexpr std::int32_t few_tiles = 4;
 /// Triangles that a tile sets up together.
 constexpr std::size_t tile_setup_batch = 8;
 
+constexpr std::size_t largest_record =
+    sizeof(ColoredPrimitive) + sizeof(VaryingRecord) + (max_varyings * sizeof(VaryingPlane) + 63) / 64 * 64;
+
 void prefetch_depth(const WaitingTriangle& triangle, std::int32_t tile_x, std::int32_t tile_y, const std::byte* depth,
                     std::int32_t bytes_per_depth) {
   constexpr std::int32_t small = 2 * block_size;
@@ -109,6 +112,11 @@ const SetupState* TileBins::intern(SetupState setup, const RasterBinding& bindin
   setup.binding = &bindings_.back();
   if (setups_.empty() || !(setups_.back() == setup)) setups_.push_back(setup);
   return &setups_.back();
+}
+
+const TexturingState* TileBins::intern(const TexturingState& texturing) {
+  if (texturings_.empty() || !(texturings_.back() == texturing)) texturings_.push_back(texturing);
+  return &texturings_.back();
 }
 
 void TileBins::add_to_bin(std::int32_t bin_index, const Entry& entry) {
@@ -261,7 +269,7 @@ std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t
     if (count > 0 && triangle->state != triangles[0]->state) break;
     triangles[count++] = triangle;
   }
-  alignas(64) std::array<std::byte, tile_setup_batch * sizeof(ColoredPrimitive)> records;
+  alignas(64) std::array<std::byte, tile_setup_batch * largest_record> records;
   setup_triangles({triangles.data(), count}, records.data());
   const std::size_t bytes = record_size(*triangles[0]->state);
   for (std::size_t i = 0; i < count; ++i) {
@@ -331,6 +339,7 @@ void TileBins::run() {
   touched_.clear();
   entry_count_ = 0;
   bindings_.clear();
+  texturings_.clear();
   setups_.clear();
   clears_.clear();
   arena_.reset();

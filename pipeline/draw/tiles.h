@@ -52,6 +52,9 @@ class TileBins {
   /// `setup.binding` is replaced by the copy of `binding`.
   const SetupState* intern(SetupState setup, const RasterBinding& binding);
 
+  /// The same for the textures of a draw, which a binding points to.
+  const TexturingState* intern(const TexturingState& texturing);
+
   /// Memory until the next run(), 64-byte aligned, for triangles and records; take_back() returns the end of the last.
   void* allocate(std::size_t bytes) { return arena_.allocate(bytes); }
   void take_back(std::size_t bytes) { arena_.take_back(bytes); }
@@ -99,6 +102,7 @@ class TileBins {
   std::int32_t first_bin_ = 0;        ///< of the sample selected
   Arena arena_;
   std::deque<RasterBinding> bindings_;
+  std::deque<TexturingState> texturings_;
   std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
   std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of each sample, sample after sample

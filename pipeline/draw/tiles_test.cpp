@@ -37,7 +37,7 @@ class Canvas {
     if (state.depth.test_enabled) passes.add(depth_test_pass(state.depth.func, DepthFormat::z24s8));
     passes.add(color_write_pass(ColorFormat::rgba8, state.color_write_mask));
     setup.scissor = state.scissor;
-    const SetupState* shared = bins.intern(setup, {state, passes});
+    const SetupState* shared = bins.intern(setup, {state, passes, {}, setup.colors});
     std::vector<AssembledTriangle> assembled;
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
       for (std::size_t k = 0; k < 3; ++k) {
@@ -46,8 +46,10 @@ class Canvas {
         vertices->color_front[k] = v.color;
       }
       const AssembledTriangle triangle{{0, 1, 2}, 2, 7};
-      auto* waiting = static_cast<WaitingTriangle*>(bins.allocate(sizeof(WaitingTriangle)));
-      if (select_triangles(*shared, *vertices, {&triangle, 1}, waiting) == 1) bins.add_triangle(*waiting);
+      auto* waiting = static_cast<std::byte*>(bins.allocate(waiting_size(*shared)));
+      if (select_triangles(*shared, *vertices, {&triangle, 1}, waiting) == 1) {
+        bins.add_triangle(*reinterpret_cast<WaitingTriangle*>(waiting));
+      }
     }
     bins.run();
   }

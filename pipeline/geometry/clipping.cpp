@@ -61,6 +61,10 @@ std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attr
   if (attributes.color_back) mix_colors(vertices.color_back);
   if (attributes.specular) mix_colors(vertices.specular_front);
   if (attributes.specular && attributes.color_back) mix_colors(vertices.specular_back);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(attributes.varyings); ++k) {
+    auto& array = vertices.varying[k];
+    array[index] = mix(array[a], array[b]);
+  }
   return index;
 }
 

@@ -12,6 +12,7 @@ namespace gouraud::pipeline {
 /// What the clipper interpolates beside the clip position.
 struct ClipAttributes {
   bool eye = false, color_front = false, color_back = false, specular = false;
+  int varyings = 0;  ///< how many of ProcessedVertices::varying
 };
 
 /// Most vertices that one primitive can add: two a plane, of the frustum's six and the user's.

@@ -33,7 +33,7 @@ struct Scene {
     }
     project_to_window(viewport, *vertices);
   }
-  void clip(std::uint8_t edges = 7, const ClipAttributes& attributes = {true, true, false, false}) {
+  void clip(std::uint8_t edges = 7, const ClipAttributes& attributes = {true, true, false, false, 0}) {
     clip_triangle({{0, 1, 2}, 2, edges}, viewport, attributes, *vertices, triangles);
   }
   Clip position(std::uint16_t index) const {

@@ -1,4 +1,4 @@
-// Takes the current colours of unlit vertices, gives them clamped [GL1.5 §2.14.6].
+// Takes the current colours of unlit vertices, gives them clamped, secondary ones as well [GL1.5 §2.14.6].
 #include "pipeline/geometry/colors.h"
 
 #include "pipeline/simd/dispatch.h"
@@ -23,6 +23,16 @@ void clamp_colors(const VertexBatch& batch, ProcessedVertices& out) {
   }
 }
 
+void clamp_secondary(const VertexBatch& batch, ProcessedVertices& out) {
+  const hn::CappedTag<float, 16> d;
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto channel =
+        [&](std::size_t k) HWY_ATTR { return clamp_to_unit(d, hn::Load(d, &batch.secondary_color[k][i])); };
+    hn::StoreInterleaved4(channel(0), channel(1), channel(2), hn::Zero(d), d, &out.specular_front[i].r);
+  }
+}
+
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -30,6 +40,9 @@ HWY_AFTER_NAMESPACE();
 namespace gouraud::pipeline {
 void clamp_vertex_colors(const VertexBatch& batch, ProcessedVertices& out) {
   GOURAUD_SIMD_PICK(clamp_colors)(batch, out);
+}
+void clamp_secondary_colors(const VertexBatch& batch, ProcessedVertices& out) {
+  GOURAUD_SIMD_PICK(clamp_secondary)(batch, out);
 }
 }  // namespace gouraud::pipeline
 #endif

@@ -52,10 +52,11 @@ struct ProcessedVertices {
   alignas(64) std::array<WindowVertex, processed_stride> window;  ///< valid where outcode == 0
   alignas(64) std::array<Rgba, processed_stride> color_front;     ///< clamped to [0, 1]
   alignas(64) std::array<Rgba, processed_stride> color_back;      ///< only with two-sided lighting
-  alignas(64) std::array<Rgba, processed_stride> specular_front;  ///< only with separate specular; alpha 0
+  /// The secondary colour, clamped, alpha 0: only with separate specular or a colour sum.
+  alignas(64) std::array<Rgba, processed_stride> specular_front;
   alignas(64) std::array<Rgba, processed_stride> specular_back;
-  /// Texture coordinates behind texgen and texture matrix, fog coordinate, secondary colour: the first
-  /// VaryingLayout::count arrays are valid, in the layout's order.
+  /// Texture coordinates behind texgen and texture matrix, fog coordinate: the first VaryingLayout::of_vertices()
+  /// arrays are valid, in the layout's order.
   alignas(64) ProcessedArray<max_varyings> varying;
 };
 

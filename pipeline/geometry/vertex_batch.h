@@ -69,4 +69,18 @@ struct VertexBatch {
   }
 };
 
+/// Calls visit(attribute, arrays), arrays a VertexArray, for each float attribute in `demand`.
+template <class Visit>
+void for_each_attribute(VertexBatch& batch, std::uint32_t demand, const Visit& visit) {
+  if (demand & attribute_normal) visit(attribute_normal, batch.normal_object);
+  if (demand & attribute_color) visit(attribute_color, batch.color);
+  if (demand < attribute_secondary_color) return;
+  if (demand & attribute_secondary_color) visit(attribute_secondary_color, batch.secondary_color);
+  if (demand & attribute_fog_coordinate) visit(attribute_fog_coordinate, batch.fog_coordinate);
+  for (int unit = 0; demand >= attribute_texture_coordinates(unit); ++unit) {
+    const std::uint32_t attribute = attribute_texture_coordinates(unit);
+    if (demand & attribute) visit(attribute, batch.texture_coordinates[static_cast<std::size_t>(unit)]);
+  }
+}
+
 }  // namespace gouraud::pipeline

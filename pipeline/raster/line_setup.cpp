@@ -29,6 +29,13 @@ void offset_depth(double offset, const PlaneTargets& targets, DepthPlane& depth)
   depth.maximum = static_cast<float>(targets.depth_scale);
 }
 
+std::size_t varying_count(const SetupState& state) { return static_cast<std::size_t>(state.binding->varyings.count); }
+
+VaryingRecord& varying_record(const SetupState& state, void* memory) {
+  const std::size_t before = state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
+  return *new (static_cast<std::byte*>(memory) + before) VaryingRecord;
+}
+
 /// Gives the record its box. False if that is empty.
 bool set_box(const SetupState& state, const PixelRect& box, PrimitiveRecord& record) {
   const PixelRect cut = intersection(box, state.scissor);
@@ -40,15 +47,20 @@ bool set_box(const SetupState& state, const PixelRect& box, PrimitiveRecord& rec
   return !cut.empty();
 }
 
-/// A line's depth and colour: they vary along the line by t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.3].
-PrimitiveRecord& write_line_record(const SetupState& state, const WindowVertex& v0, const WindowVertex& v1,
-                                   const std::array<Rgba, 2>& colors, double depth_offset, void* memory) {
-  PrimitiveRecord& record = new_record(state, memory);
+/// What varies along a line varies by t = (p - p0) . d / |d|^2 [GL1.5 §3.4.1 eq 3.3].
+GradientBasis basis_of_line(const SetupState& state, const WindowVertex& v0, const WindowVertex& v1) {
   const double height = state.target_height_px;
   const Point2 p0{v0.x, height - v0.y_raster}, p1{v1.x, height - v1.y_raster};
   const double dx = p1.x - p0.x, dy = p1.y - p0.y, squared = dx * dx + dy * dy;
   const double scale = squared > 0 ? 1.0 / squared : 0.0;
-  const GradientBasis basis{p0, {dx * scale, dy * scale}, {0, 0}};
+  return {p0, {dx * scale, dy * scale}, {0, 0}};
+}
+
+/// A line's depth and colour.
+PrimitiveRecord& write_line_record(const SetupState& state, const WindowVertex& v0, const WindowVertex& v1,
+                                   const std::array<Rgba, 2>& colors, double depth_offset, void* memory) {
+  PrimitiveRecord& record = new_record(state, memory);
+  const GradientBasis basis = basis_of_line(state, v0, v1);
   std::array<ShadedVertex, 3> shaded{ShadedVertex{&v0, {}}, ShadedVertex{&v1, {}}, ShadedVertex{&v1, {}}};
   record.depth = make_depth_plane(basis, shaded, state.targets);
   offset_depth(depth_offset, state.targets, record.depth);
@@ -78,8 +90,19 @@ std::array<Rgba, 2> colors_of_line(const SetupState& state, const ProcessedVerti
 
 PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
                                    void* memory) {
-  return write_line_record(state, vertices.window[line.vertex[0]], vertices.window[line.vertex[1]],
-                           colors_of_line(state, vertices, line), line.depth_offset, memory);
+  const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
+  if (const std::size_t count = varying_count(state); count > 0) {
+    std::array<std::array<float, max_varyings>, 2> varyings;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::uint16_t shading = state.flat ? line.provoking : line.vertex[i];
+      copy_varyings(state, vertices, line.vertex[i], shading, line.back, varyings[i].data());
+    }
+    VaryingRecord& out = varying_record(state, memory);
+    make_varying_planes(basis_of_line(state, v0, v1), {&v0, &v1, &v1},
+                        {varyings[0].data(), varyings[1].data(), varyings[1].data()}, count, out);
+    out.clamp = out.perspective;  // as colors, above
+  }
+  return write_line_record(state, v0, v1, colors_of_line(state, vertices, line), line.depth_offset, memory);
 }
 
 struct SnappedLine {
@@ -97,6 +120,11 @@ PrimitiveRecord& write_point_record(const SetupState& state, const ProcessedVert
   const std::array<ShadedVertex, 3> shaded{ShadedVertex{&vertex, {}}, ShadedVertex{&vertex, {}}, ShadedVertex{&vertex, {}}};
   record.depth = make_depth_plane({}, shaded, state.targets);
   offset_depth(point.depth_offset, state.targets, record.depth);
+  if (const std::size_t count = varying_count(state); count > 0) {
+    std::array<float, max_varyings> varyings;
+    copy_varyings(state, vertices, point.vertex, state.flat ? point.provoking : point.vertex, point.back, varyings.data());
+    make_constant_varyings(varyings.data(), count, varying_record(state, memory));
+  }
   if (state.colors) {
     make_constant_color(color_of_vertex(state, vertices, state.flat ? point.provoking : point.vertex, point.back),
                         state.targets, reinterpret_cast<ColoredPrimitive*>(memory)->color);

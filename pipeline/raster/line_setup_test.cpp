@@ -17,7 +17,9 @@ std::vector<PixelPosition> pixels_of(float x0, float y0, float x1, float y1) {
   static const auto vertices = std::make_unique<ProcessedVertices>();
   vertices->window[0] = {x0, static_cast<float>(height) - y0, 0.5f, 1};
   vertices->window[1] = {x1, static_cast<float>(height) - y1, 0.5f, 1};
+  const RasterBinding binding;
   SetupState state;
+  state.binding = &binding;
   state.target_height_px = height;
   state.scissor = {-64, -64, 128, 128};
   PrimitiveRecord record;
@@ -113,7 +115,9 @@ TEST(Line, StripsTouchEachPixelOfTheirJointsOnce) {
 
 TEST(Point, LandsInThePixelThatHoldsItsRoundedPosition) {
   const auto vertices = std::make_unique<ProcessedVertices>();
+  const RasterBinding binding;
   SetupState state;
+  state.binding = &binding;
   state.target_height_px = height;
   PrimitiveRecord record;
   state.scissor = {0, 0, 64, 64};
@@ -124,7 +128,9 @@ TEST(Point, LandsInThePixelThatHoldsItsRoundedPosition) {
 
 TEST(Point, OfEvenSizeIsCentredOnTheNearestCorner) {
   const auto vertices = std::make_unique<ProcessedVertices>();
+  const RasterBinding binding;
   SetupState state;
+  state.binding = &binding;
   state.target_height_px = height;
   state.scissor = {0, 0, 64, 64};
   PrimitiveRecord record;

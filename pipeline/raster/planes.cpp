@@ -1,4 +1,4 @@
-// Takes vertices in window space, gives depth and colour planes [GL1.5 §3.5.1 eq 3.6, §3.4.1 eq 3.4].
+// Takes vertices in window space, gives planes of depth, colours and varyings [GL1.5 §3.5.1 eq 3.6, §3.4.1 eq 3.4].
 // Perspective: with q = 1/w, colour = c0 + sum(lambda_i q_i (c_i - c0)) / sum(lambda_i q_i); both sums are planes.
 #include "pipeline/raster/planes.h"
 
@@ -8,6 +8,24 @@ namespace {
 float finite_or_zero(double value) { return std::isfinite(value) ? static_cast<float>(value) : 0.0f; }
 
 std::array<float, 4> channels(const Rgba& color) { return {color.r, color.g, color.b, color.a}; }
+
+/// 1/w of the vertices, relative to the largest so that tiny and huge w stay in range; all 1 if they are equal.
+struct Weights {
+  bool perspective;
+  std::array<double, 3> q;
+};
+Weights weigh(const std::array<const WindowVertex*, 3>& vertices) {
+  const float q0 = vertices[0]->w_inverse, q1 = vertices[1]->w_inverse, q2 = vertices[2]->w_inverse;
+  if (q0 == q1 && q0 == q2) return {false, {1, 1, 1}};
+  const double largest = 1.0 / static_cast<double>(std::max({q0, q1, q2}));
+  return {true, {q0 * largest, q1 * largest, q2 * largest}};
+}
+
+/// A varying that is its base all over.
+void make_constant(VaryingPlane& plane, std::size_t k, VaryingRecord& record) {
+  plane = {0, 0, 0, plane.base, plane.base, plane.base};
+  record.constant |= std::uint64_t{1} << k;
+}
 
 }  // namespace
 
@@ -48,16 +66,8 @@ void make_color_planes(const GradientBasis& basis, const std::array<ShadedVertex
   const std::array<float, 4> c2 = channels(vertices[2].color);
   if (c0 == c1 && c0 == c2) return make_constant_color(vertices[0].color, targets, out);
 
-  // Weigh by 1/w, relative to the largest so that tiny and huge w stay in range.
-  const float q0f = vertices[0].window->w_inverse, q1f = vertices[1].window->w_inverse, q2f = vertices[2].window->w_inverse;
-  const bool perspective = q0f != q1f || q0f != q2f;
-  double q0 = 1, q1 = 1, q2 = 1;
-  if (perspective) {
-    const double largest = 1.0 / static_cast<double>(std::max({q0f, q1f, q2f}));
-    q0 = q0f * largest;
-    q1 = q1f * largest;
-    q2 = q2f * largest;
-  }
+  const auto [perspective, weights] = weigh({vertices[0].window, vertices[1].window, vertices[2].window});
+  const auto [q0, q1, q2] = weights;
 
   // Planes of the colours, or under perspective of their weighted distance from vertex 0.
   const double scale = targets.color_scale;
@@ -96,6 +106,37 @@ void make_color_planes(const GradientBasis& basis, const std::array<ShadedVertex
     for (std::size_t k = 0; k < 4; ++k) out.base[k] = finite_or_zero(std::min(c0[k], 1.0f) * targets.color_scale);
     out.variation = ColorVariation::constant;
     out.clamp = false;
+  }
+}
+
+void make_varying_planes(const GradientBasis& basis, const std::array<const WindowVertex*, 3>& vertices,
+                         const std::array<const float*, 3>& values, std::size_t count, VaryingRecord& out) {
+  const auto [perspective, q] = weigh(vertices);
+  const Plane inverse_w = make_plane(basis, q[0], q[1] - q[0], q[2] - q[0]);
+  if (!std::isfinite(inverse_w.origin) || !std::isfinite(inverse_w.dx) || !std::isfinite(inverse_w.dy)) {
+    return make_constant_varyings(values[0], count, out);
+  }
+  const auto [lowest, highest] = std::minmax({q[0], q[1], q[2]});
+  out = {inverse_w.origin, inverse_w.dx, inverse_w.dy, static_cast<float>(lowest), static_cast<float>(highest), 0,
+         perspective, true};
+  auto* planes = reinterpret_cast<VaryingPlane*>(&out + 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    const float v0 = values[0][k], v1 = values[1][k], v2 = values[2][k];
+    const double rise1 = (static_cast<double>(v1) - v0) * q[1], rise2 = (static_cast<double>(v2) - v0) * q[2];
+    const Plane plane = make_plane(basis, perspective ? 0.0 : v0, rise1, rise2);
+    const auto [low, high] = std::minmax({v0, v1, v2});
+    planes[k] = {plane.origin, plane.dx, plane.dy, finite_or_zero(v0), low, high};
+    const bool finite = std::isfinite(plane.origin) && std::isfinite(plane.dx) && std::isfinite(plane.dy);
+    if (!finite || (v0 == v1 && v0 == v2)) make_constant(planes[k], k, out);
+  }
+}
+
+void make_constant_varyings(const float* values, std::size_t count, VaryingRecord& out) {
+  out = {};
+  auto* planes = reinterpret_cast<VaryingPlane*>(&out + 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    planes[k].base = finite_or_zero(values[k]);
+    make_constant(planes[k], k, out);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "pipeline/geometry/processed_vertices.h"
@@ -63,6 +64,14 @@ DepthPlane make_depth_plane(const GradientBasis& basis, const std::array<ShadedV
 /// Colour planes of a primitive. Colours may exceed 1 (a colour sum): fragments are clamped to [0, 1] then.
 void make_color_planes(const GradientBasis& basis, const std::array<ShadedVertex, 3>& vertices,
                        const PlaneTargets& targets, ColorRecord& out);
+
+/// Planes of `count` varyings of a triangle or a line, and of 1/w, into the record and behind it; `values[i]` are those of
+/// vertex i. What is not finite becomes constant.
+void make_varying_planes(const GradientBasis& basis, const std::array<const WindowVertex*, 3>& vertices,
+                         const std::array<const float*, 3>& values, std::size_t count, VaryingRecord& out);
+
+/// Varyings that are those of one vertex all over.
+void make_constant_varyings(const float* values, std::size_t count, VaryingRecord& out);
 
 /// Planes of a primitive whose colours are those of one vertex all over.
 void make_constant_color(Rgba color, const PlaneTargets& targets, ColorRecord& out);

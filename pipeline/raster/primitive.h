@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "pipeline/draw/draw_state.h"
@@ -20,6 +21,7 @@ struct RasterBinding {
   RasterState state{};
   FragmentPasses passes{};
   VaryingLayout varyings{};
+  bool colors = false;  ///< colours are interpolated: the records are ColoredPrimitives
   const TexturingState* texturing = nullptr;  ///< interned too; null: no unit is textured
   bool operator==(const RasterBinding&) const = default;
 };
@@ -91,7 +93,7 @@ struct alignas(64) ColoredPrimitive {
 /// Follows the ColoredPrimitive (the PrimitiveRecord, if the plan interpolates no colours) if the layout has varyings, and
 /// layout.count VaryingPlanes follow it. Varying k is
 ///   plane_k (affine), base_k + plane_k / inverse_w (perspective), or base_k (its bit in `constant` is set),
-/// as in a ColorRecord. So ds/dx = (plane_k.dx - (s - base_k) * inverse_w.dx) / inverse_w.
+/// as in a ColorRecord. So ds/dx = (plane_k.dx - (s - base_k) * inverse_w.dx) / inverse_w. All numbers are finite.
 struct VaryingPlane {
   double origin = 0, dx = 0, dy = 0;
   float base = 0, minimum = 0, maximum = 0;
@@ -101,12 +103,22 @@ struct alignas(64) VaryingRecord {
   float inverse_w_minimum = 1, inverse_w_maximum = 1;
   std::uint64_t constant = 0;  ///< bit k: varying k does not vary
   bool perspective = false;
-  bool clamp = false;  ///< snapping could take a fragment out of the vertices' range: clamp each
+  bool clamp = false;  ///< each fragment stays in the vertices' range, wherever snapping and rounding have put it
 };
 
 /// The colour part of a record whose plan interpolates colours.
 inline const ColorRecord& color_of(const PrimitiveRecord& record) {
   return reinterpret_cast<const ColoredPrimitive&>(record).color;
+}
+
+/// The varyings of a record whose layout has some, and their planes.
+inline const VaryingRecord& varyings_of(const PrimitiveRecord& record) {
+  const auto* bytes = reinterpret_cast<const std::byte*>(&record);
+  const std::size_t before = record.binding->colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
+  return *reinterpret_cast<const VaryingRecord*>(bytes + before);
+}
+inline const VaryingPlane* planes_of(const VaryingRecord& record) {
+  return reinterpret_cast<const VaryingPlane*>(&record + 1);
 }
 
 /// 64 pixels of a tile: `block` counts the tile's blocks row by row.

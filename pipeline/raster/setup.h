@@ -27,7 +27,7 @@ struct SetupState {
   bool flat = false;
   bool colors = false;             ///< records are ColoredPrimitives
   bool two_sided = false;          ///< back faces take color_back
-  bool separate_specular = false;  ///< the secondary colour is added here: without texture the sum is linear
+  bool color_sum = false;  ///< the secondary colour is added here: where no texture stands between, the sum is linear
   PlaneTargets targets{};
   PointState points{};
   LineState lines{};
@@ -37,13 +37,16 @@ struct SetupState {
 
 /// Bytes of the record that setup writes.
 inline std::size_t record_size(const SetupState& state) {
-  return state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
+  const std::size_t bytes = state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
+  if (varyings == 0) return bytes;
+  return bytes + sizeof(VaryingRecord) + (varyings * sizeof(VaryingPlane) + 63) / 64 * 64;
 }
 
 /// The colour that setup gives to a vertex of a front or back face: the colour sum, not clamped [GL1.5 §3.9].
 inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, bool back) {
   Rgba color = back ? vertices.color_back[index] : vertices.color_front[index];
-  if (state.separate_specular) {
+  if (state.color_sum) {
     const Rgba& specular = back ? vertices.specular_back[index] : vertices.specular_front[index];
     color.r += specular.r;
     color.g += specular.g;
@@ -63,13 +66,26 @@ struct alignas(64) WaitingTriangle {
 };
 static_assert(sizeof(WaitingTriangle) == 128);
 
+/// Bytes of a waiting triangle. Behind the struct stand its varyings, vertex by vertex, if the layout has some.
+inline std::size_t waiting_size(const SetupState& state) {
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
+  return sizeof(WaitingTriangle) + (3 * varyings * sizeof(float) + 63) / 64 * 64;
+}
+inline float* varyings_of(WaitingTriangle& triangle) { return reinterpret_cast<float*>(&triangle + 1); }
+inline const float* varyings_of(const WaitingTriangle& triangle) { return reinterpret_cast<const float*>(&triangle + 1); }
+
+/// Copies the varyings of a vertex of a front or back face to `out`, in the layout's order. The secondary colour is that
+/// of the vertex `shading`: another one where shading is flat.
+void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, std::uint16_t shading,
+                   bool back, float* out);
+
 /// Most triangles that one call of select_triangles or setup_triangles takes.
 inline constexpr std::size_t setup_batch = 32;
 
-/// Copies the triangles that draw something to `out`, in order, and returns their number. Left out are those that are
+/// Copies the triangles that draw something to `out`, waiting_size bytes each, in order, and returns their number. Left out are those that are
 /// culled, without area after snapping, or between the samples.
 std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                             std::span<const AssembledTriangle> triangles, WaitingTriangle* out);
+                             std::span<const AssembledTriangle> triangles, std::byte* out);
 
 /// Sets up triangles of one state: their records, one after the other, in `records` (record_size bytes each, 64-byte
 /// aligned).

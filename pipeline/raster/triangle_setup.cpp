@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <new>
 
 #include "pipeline/raster/setup.h"
@@ -163,15 +164,36 @@ HWY_INLINE void set_up_depth(const SetupState& state, const Basis& basis, const 
   out.steep = bits_of(hn::Gt(slope(plane), set(steep_slope(state.targets))));
 }
 
+/// 1/w of the vertices, relative to the largest; all 1 where they are equal.
+struct Weights {
+  Mask perspective;
+  V q[3];
+  PlaneLanes plane;
+  V lowest;
+};
+HWY_INLINE Weights weigh(const Basis& basis, const V (&inverse_w)[3], Results& out) {
+  const D d;
+  Weights w;
+  w.perspective = hn::Or(hn::Ne(inverse_w[0], inverse_w[1]), hn::Ne(inverse_w[0], inverse_w[2]));
+  const V largest = hn::Div(set(1), most(inverse_w[0], inverse_w[1], inverse_w[2]));
+  for (std::size_t i = 0; i < 3; ++i) w.q[i] = hn::IfThenElse(w.perspective, hn::Mul(inverse_w[i], largest), set(1));
+  w.plane = make_plane(basis, w.q[0], hn::Sub(w.q[1], w.q[0]), hn::Sub(w.q[2], w.q[0]));
+  w.lowest = least(w.q[0], w.q[1], w.q[2]);
+  hn::Store(w.plane.origin, d, out.origin[ColorRecord::inverse_w]);
+  hn::Store(w.plane.dx, d, out.dx[ColorRecord::inverse_w]);
+  hn::Store(w.plane.dy, d, out.dy[ColorRecord::inverse_w]);
+  hn::Store(w.lowest, d, out.inverse_w_minimum);
+  out.perspective = bits_of(w.perspective);
+  return w;
+}
+
 /// Planes of the colours, or under perspective of their distance from vertex 0 weighted by 1/w; see planes.cpp.
-HWY_INLINE void set_up_colors(const SetupState& state, const Basis& basis, const V (&inverse_w)[3], const float* colors,
+HWY_INLINE void set_up_colors(const SetupState& state, const Basis& basis, const Weights& weights, const float* colors,
                               Results& out) {
   const D d;
   const V one = set(1), scale = set(state.targets.color_scale);
-  const Mask perspective = hn::Or(hn::Ne(inverse_w[0], inverse_w[1]), hn::Ne(inverse_w[0], inverse_w[2]));
-  const V largest = hn::Div(one, most(inverse_w[0], inverse_w[1], inverse_w[2]));
-  V q[3];
-  for (std::size_t i = 0; i < 3; ++i) q[i] = hn::IfThenElse(perspective, hn::Mul(inverse_w[i], largest), one);
+  const Mask perspective = weights.perspective;
+  const V (&q)[3] = weights.q;
 
   V worst = hn::Zero(d);
   Mask varies = hn::Lt(one, one), over_one = varies;
@@ -195,15 +217,9 @@ HWY_INLINE void set_up_colors(const SetupState& state, const Basis& basis, const
   channel(2, c[0].z, c[1].z, c[2].z);
   channel(3, c[0].w, c[1].w, c[2].w);
 
-  const PlaneLanes plane = make_plane(basis, q[0], hn::Sub(q[1], q[0]), hn::Sub(q[2], q[0]));
-  hn::Store(plane.origin, d, out.origin[ColorRecord::inverse_w]);
-  hn::Store(plane.dx, d, out.dx[ColorRecord::inverse_w]);
-  hn::Store(plane.dy, d, out.dy[ColorRecord::inverse_w]);
-  const V lowest = least(q[0], q[1], q[2]);
-  hn::Store(lowest, d, out.inverse_w_minimum);
-  const V overshoot = hn::Div(hn::Mul(hn::Add(hn::Div(worst, scale), slope(plane)), set(snap_overshoot)), lowest);
+  const V overshoot =
+      hn::Div(hn::Mul(hn::Add(hn::Div(worst, scale), slope(weights.plane)), set(snap_overshoot)), weights.lowest);
   out.constant = ~bits_of(varies);
-  out.perspective = bits_of(perspective);
   out.clamp = bits_of(over_one) | ~bits_of(hn::Lt(overshoot, set(harmless_overshoot)));
 }
 
@@ -256,9 +272,58 @@ HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const 
   if (triangle.state->polygons.offset_fill) offset_depth(*triangle.state, out.depth);
 }
 
+/// Planes of the varyings, or under perspective of their distance from vertex 0 weighted by 1/w, into the records; see
+/// make_varying_planes. The same for every varying: nothing in here knows what they mean.
+void set_up_varyings(const Basis& basis, const Weights& weights, const Results& in, const WaitingTriangle* const* triangles,
+                     std::size_t count, std::byte* records, std::size_t record_bytes) {
+  const D d;
+  const F f;
+  const SetupState& state = *triangles[0]->state;
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
+  const std::size_t before = state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
+  VaryingRecord* out[max_lanes];
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    out[lane] = new (records + lane * record_bytes + before) VaryingRecord;
+    constexpr std::size_t w = ColorRecord::inverse_w;
+    *out[lane] = {in.origin[w][lane], in.dx[w][lane], in.dy[w][lane], static_cast<float>(in.inverse_w_minimum[lane]), 1.0f,
+                  0, (in.perspective >> lane & 1) != 0, true};
+  }
+
+  const V infinity = set(std::numeric_limits<double>::infinity());
+  for (std::size_t k = 0; k < varyings; ++k) {
+    alignas(64) float values[3][max_lanes];
+    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+      const float* of_triangle = varyings_of(*triangles[HWY_MIN(lane, count - 1)]);
+      for (std::size_t i = 0; i < 3; ++i) values[i][lane] = of_triangle[i * varyings + k];
+    }
+    V v[3];
+    for (std::size_t i = 0; i < 3; ++i) v[i] = hn::PromoteTo(d, hn::Load(f, values[i]));
+    const PlaneLanes plane =
+        make_plane(basis, hn::IfThenZeroElse(weights.perspective, v[0]), hn::Mul(hn::Sub(v[1], v[0]), weights.q[1]),
+                   hn::Mul(hn::Sub(v[2], v[0]), weights.q[2]));
+    alignas(64) Lanes origin, dx, dy;
+    hn::Store(plane.origin, d, origin);
+    hn::Store(plane.dx, d, dx);
+    hn::Store(plane.dy, d, dy);
+    const Mask equal = hn::And(hn::Eq(v[0], v[1]), hn::Eq(v[0], v[2]));
+    const Mask finite = hn::Lt(hn::Add(hn::Abs(plane.origin), slope(plane)), infinity);
+    const std::uint64_t constant = bits_of(hn::Or(equal, hn::Not(finite)));
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      auto& target = *new (reinterpret_cast<VaryingPlane*>(out[lane] + 1) + k) VaryingPlane;
+      const float v0 = values[0][lane], v1 = values[1][lane], v2 = values[2][lane];
+      if ((constant >> lane & 1) != 0) {
+        target.base = target.minimum = target.maximum = std::isfinite(v0) ? v0 : 0.0f;
+        out[lane]->constant |= std::uint64_t{1} << k;
+      } else {
+        target = {origin[lane], dx[lane], dy[lane], v0, HWY_MIN(HWY_MIN(v0, v1), v2), HWY_MAX(HWY_MAX(v0, v1), v2)};
+      }
+    }
+  }
+}
+
 /// Selects among at most max_lanes triangles.
 HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVertices& vertices,
-                                    const AssembledTriangle* triangles, std::size_t count, WaitingTriangle* out) {
+                                    const AssembledTriangle* triangles, std::size_t count, std::byte* out) {
   alignas(64) float window[3 * 4 * max_lanes];
   for (std::size_t lane = 0; lane < max_lanes; ++lane) {
     const AssembledTriangle& triangle = triangles[HWY_MIN(lane, count - 1)];
@@ -271,16 +336,17 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
   select(state, snap_triangles(corners, state.target_height_px), selection);
 
   std::size_t selected = 0;
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
+  const std::size_t bytes = waiting_size(state);
   for (std::uint64_t left = selection.alive & ((std::uint64_t{1} << count) - 1); left != 0; left &= left - 1) {
     const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
-    WaitingTriangle& waiting = out[selected++];
+    auto& waiting = *reinterpret_cast<WaitingTriangle*>(out + selected++ * bytes);
     for (std::size_t i = 0; i < 3; ++i) waiting.window[i] = vertices.window[triangles[lane].vertex[i]];
-    if (state.colors) {
-      const bool back = state.two_sided && (selection.front >> lane & 1) == 0;
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint16_t index = state.flat ? triangles[lane].provoking : triangles[lane].vertex[i];
-        waiting.color[i] = color_of_vertex(state, vertices, index, back);
-      }
+    const bool back = state.two_sided && (selection.front >> lane & 1) == 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint16_t vertex = triangles[lane].vertex[i], shading = state.flat ? triangles[lane].provoking : vertex;
+      if (state.colors) waiting.color[i] = color_of_vertex(state, vertices, shading, back);
+      if (varyings > 0) copy_varyings(state, vertices, vertex, shading, back, varyings_of(waiting) + i * varyings);
     }
     waiting.state = &state;
     waiting.x0 = static_cast<std::int16_t>(selection.x0[lane]);
@@ -293,11 +359,11 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
 }
 
 std::size_t select_all(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
-                       std::size_t count, WaitingTriangle* out) {
-  const std::size_t lanes = hn::Lanes(D());
+                       std::size_t count, std::byte* out) {
+  const std::size_t lanes = hn::Lanes(D()), bytes = waiting_size(state);
   std::size_t selected = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
-    selected += select_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), out + selected);
+    selected += select_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), out + selected * bytes);
   }
   return selected;
 }
@@ -339,16 +405,20 @@ HWY_INLINE void set_up_group(const WaitingTriangle* const* triangles, std::size_
 
   // Lay the planes, write the records.
   set_up_depth(state, basis, {corners[0].z, corners[1].z, corners[2].z}, results);
-  if (state.colors && !state.flat) {
-    set_up_colors(state, basis, {corners[0].w, corners[1].w, corners[2].w}, colors, results);
+  const bool varyings = state.binding->varyings.count > 0, planes_of_color = state.colors && !state.flat;
+  const std::size_t bytes = record_size(state);
+  if (planes_of_color || varyings) {
+    const Weights weights = weigh(basis, {corners[0].w, corners[1].w, corners[2].w}, results);
+    if (planes_of_color) set_up_colors(state, basis, weights, colors, results);
+    if (varyings) set_up_varyings(basis, weights, results, triangles, count, records, bytes);
   }
   for (std::size_t lane = 0; lane < count; ++lane) {
     if (state.colors) {
-      auto* primitive = new (records + lane * sizeof(ColoredPrimitive)) ColoredPrimitive;
+      auto* primitive = new (records + lane * bytes) ColoredPrimitive;
       write_coverage_and_depth(*triangles[lane], results, lane, primitive->record);
       write_color(state, results, lane, colors, primitive->color);
     } else {
-      auto* record = new (records + lane * sizeof(PrimitiveRecord)) PrimitiveRecord;
+      auto* record = new (records + lane * bytes) PrimitiveRecord;
       write_coverage_and_depth(*triangles[lane], results, lane, *record);
     }
   }
@@ -402,6 +472,19 @@ bool is_culled(CullMode cull, bool front) {
   return cull == CullMode::front_and_back || cull == (front ? CullMode::front : CullMode::back);
 }
 
+void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, std::uint16_t shading,
+                   bool back, float* out) {
+  const VaryingLayout& layout = state.binding->varyings;
+  const auto count = static_cast<std::size_t>(layout.of_vertices());
+  for (std::size_t k = 0; k < count; ++k) out[k] = vertices.varying[k][index];
+  if (layout.secondary_color < 0) return;
+  const Rgba& secondary = back ? vertices.specular_back[shading] : vertices.specular_front[shading];
+  float* const target = out + layout.secondary_color;
+  target[0] = secondary.r;
+  target[1] = secondary.g;
+  target[2] = secondary.b;
+}
+
 bool faces_front(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle) {
   std::array<double, 3> x, y;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -414,7 +497,7 @@ bool faces_front(const SetupState& state, const ProcessedVertices& vertices, con
 }
 
 std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                             std::span<const AssembledTriangle> triangles, WaitingTriangle* out) {
+                             std::span<const AssembledTriangle> triangles, std::byte* out) {
   return GOURAUD_SIMD_PICK(select_all)(state, vertices, triangles.data(), triangles.size(), out);
 }
 

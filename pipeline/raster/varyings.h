@@ -17,12 +17,15 @@ struct TextureCoordinateLayout {
   bool operator==(const TextureCoordinateLayout&) const = default;
 };
 
+/// Which belongs to a draw and not to a plan: q is found to be 1 by looking at the vertices.
 struct VaryingLayout {
   std::int8_t count = 0;
-  std::int8_t secondary_color = -1;  ///< first of three, r, g, b; -1: none
+  std::int8_t secondary_color = -1;  ///< first of three, r, g, b, in [0, 1] and behind all others; -1: none
   std::int8_t fog_coordinate = -1;   ///< the fog coordinate, or the distance |z_eye|; -1: none
   std::array<TextureCoordinateLayout, max_texture_units> texture_coordinates{};
   bool operator==(const VaryingLayout&) const = default;
+  /// Those that a vertex has by itself. Its secondary colour depends on the facing of the primitive.
+  int of_vertices() const { return secondary_color < 0 ? count : secondary_color; }
 };
 
 inline constexpr int max_varyings = 3 + 1 + 4 * max_texture_units;
