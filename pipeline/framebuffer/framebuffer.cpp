@@ -1,7 +1,9 @@
 #include "pipeline/framebuffer/framebuffer.h"
 
+#include <atomic>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
 #include <new>
 
 #if defined(__linux__)
@@ -65,7 +67,16 @@ void TiledBuffer::carry_out_clear(std::size_t index) const {
   const std::size_t block = pixels_per_block * static_cast<std::size_t>(bytes_per_pixel_);
   for (std::size_t i = 0; i < block; i += sizeof clear.value) std::memcpy(pixels + i, clear.value.data(), sizeof clear.value);
   for (std::size_t i = 1; i < pixels_per_tile / pixels_per_block; ++i) std::memcpy(pixels + i * block, pixels, block);
-  clear.waits = false;
+  std::atomic_ref(clear.waits).store(false, std::memory_order_release);
+}
+
+void TiledBuffer::make_readable(int tile_index) const {
+  static std::mutex one_at_a_time;
+  const auto index = static_cast<std::size_t>(tile_index);
+  const std::atomic_ref waits(waiting_clears_[index].waits);
+  if (!waits.load(std::memory_order_acquire)) return;
+  const std::lock_guard lock(one_at_a_time);
+  if (waits.load(std::memory_order_relaxed)) carry_out_clear(index);
 }
 
 void Surface::allocate(int width, int height, int sample_count) {

@@ -106,6 +106,12 @@ class TiledBuffer {
     return clear.waits ? &clear.value : nullptr;
   }
 
+  /// For textures, which are read at any place by any thread: where the tiles lie one after the other, each valid behind
+  /// make_readable() of its index. Several threads may make the same tile readable while nobody draws or clears.
+  const std::byte* storage() const { return pixels_; }
+  int tiles_per_row() const { return tiles_per_row_; }
+  void make_readable(int tile_index) const;
+
   /// False as long as every stencil value in the plane is zero: then a clear of depth alone may write whole words.
   /// Shared like the pixels. Not for an empty buffer.
   bool stencil_in_use() const { return storage_->stencil_in_use; }

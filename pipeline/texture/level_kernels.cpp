@@ -1,0 +1,231 @@
+// Takes offsets and weights along the axes (wrap-inl.h), gives R, G, B, A of each lane. 8-bit texels in two dimensions are
+// filtered in 16-bit fixed point with 7 fractional bits, two channels a word: at most 0.02/255 from exact, of which the
+// weights' 15 bits are 0.008. All else in float. Comparison [GL1.5 §3.8.14] comes before filtering: a linear filter gives
+// the weighted share of the texels that pass, as Mesa does.
+#include "pipeline/texture/level_kernels.h"
+
+#include <algorithm>
+
+#include "pipeline/draw/draw_state.h"
+#include "pipeline/simd/dispatch.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "pipeline/texture/level_kernels.cpp"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "pipeline/texture/texels-inl.h"
+#include "pipeline/texture/wrap-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gouraud::pipeline::HWY_NAMESPACE {
+
+HWY_INLINE void store_texels(const LevelRead& read, std::uint64_t wanted, std::size_t lane, const TexelVector& value, TexelBlock& out) {
+  const FloatTag d;
+  for (std::size_t k = 0; k < 4; ++k) {
+    float* to = out.channel[k].data() + lane;
+    if (!read.keeps_others || all_lanes(wanted)) hn::Store(value.channel[k], d, to);
+    else hn::Store(hn::IfThenElse(mask_of(d, wanted), value.channel[k], hn::Load(d, to)), d, to);
+  }
+}
+
+HWY_INLINE IntVector corner_offset(const LevelRead& read, std::size_t corner, std::size_t dimensions, std::size_t lane) {
+  const IntTag d;
+  IntVector offset = hn::Zero(d);
+  for (std::size_t k = 0; k < dimensions; ++k) {
+    const AxisTexels& axis = (*read.axis)[k];
+    offset = hn::Add(offset, hn::Load(d, ((corner >> k & 1) != 0 ? axis.second : axis.first).data() + lane));
+  }
+  return offset;
+}
+
+/// What one texel adds to the filter.
+template <class Format>
+struct Colors {
+  static constexpr std::size_t channels = 4;
+  static HWY_INLINE void load(const LevelRead& read, IntVector offset, std::size_t, FloatVector* out) {
+    const FloatTag d;
+    const TexelVector texel = Format::load(*read.unit, read.texels, hn::Max(offset, hn::Zero(IntTag())));
+    for (std::size_t k = 0; k < 4; ++k) out[k] = texel.channel[k];
+    if (!read.reaches_border) return;
+    const auto outside = hn::RebindMask(d, hn::Lt(offset, hn::Zero(IntTag())));
+    for (std::size_t k = 0; k < 4; ++k) out[k] = hn::IfThenElse(outside, hn::Set(d, read.unit->border[k]), out[k]);
+  }
+  static HWY_INLINE TexelVector result(const LevelRead&, const FloatVector* v) { return {{v[0], v[1], v[2], v[3]}}; }
+};
+
+/// The comparison's result in place of the depth [GL1.5 Table 3.27].
+template <class Format>
+struct Comparison {
+  static constexpr std::size_t channels = 1;
+  static HWY_INLINE void load(const LevelRead& read, IntVector offset, std::size_t lane, FloatVector* out) {
+    const FloatTag d;
+    FloatVector depth = Format::value(read.texels, hn::Max(offset, hn::Zero(IntTag())));
+    if (read.reaches_border) {
+      depth = hn::IfThenElse(hn::RebindMask(d, hn::Lt(offset, hn::Zero(IntTag()))), hn::Set(d, read.unit->border[0]), depth);
+    }
+    const FloatVector r = hn::Load(d, read.compared + lane);
+    const std::uint8_t func = read.unit->state.sampler.compare_func;
+    // The number's bits say which outcomes pass: 1 less, 2 equal, 4 greater.
+    static_assert(static_cast<int>(CompareFunc::lequal) == 3 && static_cast<int>(CompareFunc::greater) == 4 &&
+                  static_cast<int>(CompareFunc::notequal) == 5 && static_cast<int>(CompareFunc::always) == 7);
+    const auto one_if = [&](int bit) HWY_ATTR { return hn::Set(d, (func & bit) != 0 ? 1.0f : 0.0f); };
+    out[0] = hn::IfThenElse(hn::Lt(r, depth), one_if(1), hn::IfThenElse(hn::Eq(r, depth), one_if(2), one_if(4)));
+  }
+  static HWY_INLINE TexelVector result(const LevelRead& read, const FloatVector* v) { return spread(v[0], read.unit->base_format); }
+};
+
+/// Any number of dimensions, in float: the texels of the corners, then one axis after the other.
+template <class Source, bool linear>
+void read_in_float(const LevelRead& read, TexelBlock& out) {
+  const FloatTag d;
+  const auto dimensions = static_cast<std::size_t>(read.unit->dimensions);
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t wanted = lane_bits(read.lanes, lane);
+    if (wanted == 0) continue;
+    FloatVector texel[linear ? 8 : 1][Source::channels];
+    const std::size_t corners = linear ? std::size_t{1} << dimensions : 1;
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      Source::load(read, corner_offset(read, corner, dimensions, lane), lane, texel[corner]);
+    }
+    if constexpr (linear) {
+      for (std::size_t k = 0, count = corners / 2; k < dimensions; ++k, count /= 2) {
+        const FloatVector weight = hn::Load(d, (*read.axis)[k].weight.data() + lane);
+        for (std::size_t i = 0; i < count; ++i) {
+          for (std::size_t c = 0; c < Source::channels; ++c) {
+            const FloatVector a = texel[2 * i][c], b = texel[2 * i + 1][c];
+            texel[i][c] = hn::Add(a, hn::Mul(hn::Sub(b, a), weight));
+          }
+        }
+      }
+    }
+    store_texels(read, wanted, lane, Source::result(read, texel[0]), out);
+  }
+}
+
+/// Two 16-bit numbers a word: channels R and B, or G and A, times 128.
+struct ChannelPairs {
+  IntVector even, odd;
+};
+inline constexpr std::int32_t pair_bits = 0x7F807F80;
+inline constexpr float pair_scale = 1.0f / (255.0f * 128.0f);
+
+HWY_INLINE ChannelPairs pairs_of(IntVector word) {
+  const IntVector bits = hn::Set(IntTag(), pair_bits);
+  return {hn::And(hn::ShiftLeft<7>(word), bits), hn::And(hn::ShiftRight<1>(word), bits)};
+}
+
+/// a + (b - a) * weight in both halves, the product rounded to nearest; weights are 15-bit fractions.
+HWY_INLINE IntVector lerp_pairs(IntVector a, IntVector b, IntVector weight) {
+#if HWY_TARGET == HWY_SCALAR  // has no vectors of two halves
+  const auto half = [](IntVector v, int shift) { return static_cast<std::int16_t>(static_cast<std::uint32_t>(hn::GetLane(v)) >> shift); };
+  std::uint32_t out = 0;
+  for (const int shift : {0, 16}) {
+    const std::int32_t from = half(a, shift), rise = half(b, shift) - from;
+    const std::int32_t value = from + ((rise * half(weight, shift) + (1 << 14)) >> 15);
+    out |= (static_cast<std::uint32_t>(value) & 0xFFFF) << shift;
+  }
+  return hn::Set(IntTag(), static_cast<std::int32_t>(out));
+#else
+  const hn::Repartition<std::int16_t, IntTag> d16;
+  const auto from = hn::BitCast(d16, a);
+  const auto rise = hn::Sub(hn::BitCast(d16, b), from);
+  return hn::BitCast(IntTag(), hn::Add(from, hn::MulFixedPoint15(rise, hn::BitCast(d16, weight))));
+#endif
+}
+
+HWY_INLINE ChannelPairs lerp(const ChannelPairs& a, const ChannelPairs& b, IntVector weight) {
+  return {lerp_pairs(a.even, b.even, weight), lerp_pairs(a.odd, b.odd, weight)};
+}
+
+HWY_INLINE IntVector pair_weight(const AxisTexels& axis, std::size_t lane) {
+  const FloatTag d;
+  const IntVector weight = hn::ConvertTo(IntTag(), hn::Mul(hn::Load(d, axis.weight.data() + lane), hn::Set(d, 32768.0f)));
+  return hn::Or(weight, hn::ShiftLeft<16>(weight));
+}
+
+HWY_INLINE TexelVector unpack_pairs(const ChannelPairs& v) {
+  const hn::RebindToUnsigned<IntTag> du;
+  const auto low = [](IntVector pair) HWY_ATTR { return scaled(hn::And(pair, hn::Set(IntTag(), 0xFFFF)), pair_scale); };
+  const auto high = [&](IntVector pair) HWY_ATTR {
+    return scaled(hn::BitCast(IntTag(), hn::ShiftRight<16>(hn::BitCast(du, pair))), pair_scale);
+  };
+  return {{low(v.even), low(v.odd), high(v.even), high(v.odd)}};
+}
+
+/// The border colour as channel pairs: rounded to 1/32640.
+struct BorderPairs {
+  std::int32_t even, odd;
+  explicit HWY_INLINE BorderPairs(const std::array<float, 4>& border) {
+    const auto fixed = [&](std::size_t k) { return static_cast<std::int32_t>(std::clamp(border[k], 0.0f, 1.0f) * 32640.0f + 0.5f); };
+    even = fixed(0) | fixed(2) << 16;
+    odd = fixed(1) | fixed(3) << 16;
+  }
+};
+
+template <class Words>
+void read_bilinear(const LevelRead& read, TexelBlock& out) {
+  const IntTag d;
+  const AxisTexels &x = (*read.axis)[0], &y = (*read.axis)[1];
+  const WordMap map = word_map(read.unit->base_format);
+  const BorderPairs border(read.unit->border);
+  const auto texel = [&](IntVector offset) HWY_ATTR {
+    if (!read.reaches_border) return pairs_of(Words::load(read.texels, offset, map));
+    const ChannelPairs inside = pairs_of(Words::load(read.texels, hn::Max(offset, hn::Zero(d)), map));
+    const auto outside = hn::Lt(offset, hn::Zero(d));
+    return ChannelPairs{hn::IfThenElse(outside, hn::Set(d, border.even), inside.even),
+                        hn::IfThenElse(outside, hn::Set(d, border.odd), inside.odd)};
+  };
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t wanted = lane_bits(read.lanes, lane);
+    if (wanted == 0) continue;
+    const IntVector x0 = hn::Load(d, x.first.data() + lane), x1 = hn::Load(d, x.second.data() + lane);
+    const IntVector y0 = hn::Load(d, y.first.data() + lane), y1 = hn::Load(d, y.second.data() + lane);
+    const IntVector weight_x = pair_weight(x, lane), weight_y = pair_weight(y, lane);
+    const ChannelPairs lower = lerp(texel(hn::Add(x0, y0)), texel(hn::Add(x1, y0)), weight_x);
+    const ChannelPairs upper = lerp(texel(hn::Add(x0, y1)), texel(hn::Add(x1, y1)), weight_x);
+    store_texels(read, wanted, lane, unpack_pairs(lerp(lower, upper, weight_y)), out);
+  }
+}
+
+template <class Words>
+LevelKernel select_unorm8(const PreparedUnit& unit, bool linear) {
+  if (unit.srgb) return linear ? read_in_float<Colors<Srgb8<Words>>, true> : read_in_float<Colors<Srgb8<Words>>, false>;
+  if (!linear) return read_in_float<Colors<Unorm8<Words>>, false>;
+  return unit.dimensions == 2 ? read_bilinear<Words> : read_in_float<Colors<Unorm8<Words>>, true>;
+}
+
+template <class Source>
+LevelKernel select_float(bool linear) {
+  return linear ? read_in_float<Source, true> : read_in_float<Source, false>;
+}
+
+LevelKernel select(const PreparedUnit& unit, bool linear) {
+  const bool compares = unit.state.sampler.compares;
+  switch (unit.format) {
+    case TexelFormat::r8: return select_unorm8<WordsR8>(unit, linear);
+    case TexelFormat::rg8: return select_unorm8<WordsRG8>(unit, linear);
+    case TexelFormat::rgba8:
+    case TexelFormat::none: break;
+    case TexelFormat::r16:
+    case TexelFormat::z16: return compares ? select_float<Comparison<R16>>(linear) : select_float<Colors<R16>>(linear);
+    case TexelFormat::rg16: return select_float<Colors<RG16>>(linear);
+    case TexelFormat::rgba16: return select_float<Colors<RGBA16>>(linear);
+    case TexelFormat::rgba32f: return select_float<Colors<RGBA32F>>(linear);
+    case TexelFormat::z24s8: return compares ? select_float<Comparison<Z24S8>>(linear) : select_float<Colors<Z24S8>>(linear);
+    case TexelFormat::z32f: return compares ? select_float<Comparison<Z32F>>(linear) : select_float<Colors<Z32F>>(linear);
+  }
+  return select_unorm8<WordsRGBA8>(unit, linear);
+}
+
+}  // namespace gouraud::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace gouraud::pipeline {
+LevelKernel level_kernel(const PreparedUnit& unit, TexelFilter filter) {
+  return GOURAUD_SIMD_PICK(select)(unit, filter == TexelFilter::linear);
+}
+}  // namespace gouraud::pipeline
+#endif

@@ -1,0 +1,191 @@
+// Texels as they lie in memory to lanes of numbers [GL1.5 §3.8.1 Table 3.15]; for kernels: included inside a kernel file,
+// once per instruction set.
+#include <hwy/highway.h>
+
+#if defined(GOURAUD_PIPELINE_TEXTURE_TEXELS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GOURAUD_PIPELINE_TEXTURE_TEXELS_INL_H_
+#undef GOURAUD_PIPELINE_TEXTURE_TEXELS_INL_H_
+#else
+#define GOURAUD_PIPELINE_TEXTURE_TEXELS_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "pipeline/raster/interpolation-inl.h"
+#include "pipeline/texture/texel_access.h"
+#include "pipeline/texture/texture_units.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gouraud::pipeline::HWY_NAMESPACE {
+
+/// Four bytes from `bytes_per_step` * offset; a few may lie behind the texel (Image::texels has spare ones).
+template <int bytes_per_step>
+HWY_INLINE IntVector gather_word(const std::byte* texels, IntVector offset) {
+  const IntTag d;
+  const auto* base = reinterpret_cast<const std::int32_t*>(texels);
+  if constexpr (bytes_per_step == 4) return hn::GatherIndex(d, base, offset);
+  else if constexpr (bytes_per_step == 2) return hn::GatherOffset(d, base, hn::ShiftLeft<1>(offset));
+  else return hn::GatherOffset(d, base, offset);
+}
+
+/// How the bytes of a texel become a word of R, G, B, A: times, then or.
+struct WordMap {
+  std::int32_t multiply = 1, bits = 0;
+};
+HWY_INLINE WordMap word_map(BaseFormat format) {
+  constexpr auto opaque = static_cast<std::int32_t>(0xFF000000u);
+  switch (format) {
+    case BaseFormat::alpha: return {0x01000000, 0};
+    case BaseFormat::luminance: return {0x00010101, opaque};
+    case BaseFormat::intensity:
+    case BaseFormat::depth: return {0x01010101, 0};
+    case BaseFormat::rgb: return {1, opaque};
+    case BaseFormat::luminance_alpha:
+    case BaseFormat::rgba: break;
+  }
+  return {1, 0};
+}
+
+/// 8-bit formats: texels to words of R, G, B, A.
+struct WordsR8 {
+  static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
+    const IntTag d;
+    const IntVector byte = hn::And(gather_word<1>(texels, offset), hn::Set(d, 0xFF));
+    return hn::Or(hn::Mul(byte, hn::Set(d, map.multiply)), hn::Set(d, map.bits));
+  }
+};
+struct WordsRG8 {
+  static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap&) {
+    const IntTag d;
+    const IntVector both = gather_word<2>(texels, offset);
+    const IntVector luminance = hn::And(both, hn::Set(d, 0xFF));
+    const IntVector alpha = hn::ShiftLeft<16>(hn::And(both, hn::Set(d, 0xFF00)));
+    return hn::Or(hn::Or(luminance, hn::ShiftLeft<8>(luminance)), hn::Or(hn::ShiftLeft<16>(luminance), alpha));
+  }
+};
+struct WordsRGBA8 {
+  static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
+    return hn::Or(gather_word<4>(texels, offset), hn::Set(IntTag(), map.bits));
+  }
+};
+
+struct TexelVector {
+  FloatVector channel[4];
+};
+
+template <int shift>
+HWY_INLINE IntVector byte_of(IntVector word) {
+  const hn::RebindToUnsigned<IntTag> du;
+  return hn::And(hn::BitCast(IntTag(), hn::ShiftRight<shift>(hn::BitCast(du, word))), hn::Set(IntTag(), 0xFF));
+}
+
+HWY_INLINE FloatVector scaled(IntVector v, float scale) {
+  const FloatTag d;
+  return hn::Mul(hn::ConvertTo(d, v), hn::Set(d, scale));
+}
+
+HWY_INLINE TexelVector unpack_unorm8(IntVector word) {
+  constexpr float unit = 1.0f / 255.0f;
+  return {{scaled(byte_of<0>(word), unit), scaled(byte_of<8>(word), unit), scaled(byte_of<16>(word), unit), scaled(byte_of<24>(word), unit)}};
+}
+
+/// Formats for the kernels that filter in float. Each gives R, G, B, A by base format.
+template <class Words>
+struct Unorm8 {
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    return unpack_unorm8(Words::load(texels, offset, word_map(unit.base_format)));
+  }
+};
+
+template <class Words>
+struct Srgb8 {
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    const FloatTag d;
+    const IntVector word = Words::load(texels, offset, word_map(unit.base_format));
+    const float* table = srgb_table().data();
+    return {{hn::GatherIndex(d, table, byte_of<0>(word)), hn::GatherIndex(d, table, byte_of<8>(word)),
+             hn::GatherIndex(d, table, byte_of<16>(word)), scaled(byte_of<24>(word), 1.0f / 255.0f)}};
+  }
+};
+
+/// One stored channel to R, G, B, A.
+HWY_INLINE TexelVector spread(FloatVector v, BaseFormat format) {
+  const FloatTag d;
+  switch (format) {
+    case BaseFormat::alpha: return {{hn::Zero(d), hn::Zero(d), hn::Zero(d), v}};
+    case BaseFormat::luminance: return {{v, v, v, hn::Set(d, 1.0f)}};
+    default: break;
+  }
+  return {{v, v, v, v}};
+}
+
+HWY_INLINE FloatVector low_half(IntVector word) {
+  return scaled(hn::And(word, hn::Set(IntTag(), 0xFFFF)), 1.0f / 65535.0f);
+}
+HWY_INLINE FloatVector high_half(IntVector word) {
+  const hn::RebindToUnsigned<IntTag> du;
+  return scaled(hn::BitCast(IntTag(), hn::ShiftRight<16>(hn::BitCast(du, word))), 1.0f / 65535.0f);
+}
+
+struct R16 {
+  static HWY_INLINE FloatVector value(const std::byte* texels, IntVector offset) { return low_half(gather_word<2>(texels, offset)); }
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    return spread(value(texels, offset), unit.base_format);
+  }
+};
+struct RG16 {
+  static HWY_INLINE TexelVector load(const PreparedUnit&, const std::byte* texels, IntVector offset) {
+    const IntVector word = gather_word<4>(texels, offset);
+    const FloatVector luminance = low_half(word);
+    return {{luminance, luminance, luminance, high_half(word)}};
+  }
+};
+struct RGBA16 {
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    const IntVector twice = hn::ShiftLeft<1>(offset);
+    const IntVector rg = gather_word<4>(texels, twice), ba = gather_word<4>(texels + 4, twice);
+    return {{low_half(rg), high_half(rg), low_half(ba), unit.base_format == BaseFormat::rgb ? hn::Set(FloatTag(), 1.0f) : high_half(ba)}};
+  }
+};
+struct RGBA32F {
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    const FloatTag d;
+    const IntVector four_times = hn::ShiftLeft<2>(offset);
+    const auto channel = [&](std::size_t k) HWY_ATTR {
+      return hn::BitCast(d, gather_word<4>(texels + 4 * k, four_times));
+    };
+    const FloatVector one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+    switch (unit.base_format) {
+      case BaseFormat::alpha: return {{zero, zero, zero, channel(3)}};
+      case BaseFormat::luminance: return {{channel(0), channel(0), channel(0), one}};
+      case BaseFormat::luminance_alpha: return {{channel(0), channel(0), channel(0), channel(3)}};
+      case BaseFormat::intensity:
+      case BaseFormat::depth: return {{channel(0), channel(0), channel(0), channel(0)}};
+      case BaseFormat::rgb: return {{channel(0), channel(1), channel(2), one}};
+      case BaseFormat::rgba: break;
+    }
+    return {{channel(0), channel(1), channel(2), channel(3)}};
+  }
+};
+struct Z24S8 {
+  static HWY_INLINE FloatVector value(const std::byte* texels, IntVector offset) {
+    return scaled(hn::And(gather_word<4>(texels, offset), hn::Set(IntTag(), 0xFFFFFF)), 1.0f / 16777215.0f);
+  }
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    return spread(value(texels, offset), unit.base_format);
+  }
+};
+struct Z32F {
+  static HWY_INLINE FloatVector value(const std::byte* texels, IntVector offset) {
+    return hn::BitCast(FloatTag(), gather_word<4>(texels, offset));
+  }
+  static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
+    return spread(value(texels, offset), unit.base_format);
+  }
+};
+
+}  // namespace gouraud::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,30 @@
+// Takes a block with colours and varyings, gives the block with its textured colours. First all units are sampled, since
+// a combiner may read any of them, then their functions are applied in order.
+#include "pipeline/texture/texture_pass.h"
+
+#include <array>
+
+#include "pipeline/raster/primitive.h"
+#include "pipeline/texture/texture_units.h"
+
+namespace gouraud::pipeline {
+namespace {
+
+void apply_textures(FragmentBlock& block, const TileTarget&) {
+  const TextureUnits& units = *block.primitive->binding->texture_units;
+  std::array<TexelBlock, max_texture_units> texels;
+  TexelBlock primary;
+  if (units.keeps_primary) primary.channel = block.color;
+  const auto count = static_cast<std::size_t>(units.count);
+  for (std::size_t i = 0; i < count; ++i) units.unit[i].sample(block, units.unit[i], texels[units.unit[i].state.unit]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const PreparedUnit& unit = units.unit[i];
+    unit.environment(block, {&unit, &texels[unit.state.unit], texels.data(), &primary, i + 1 == count ? units.output_scale : 1.0f});
+  }
+}
+
+}  // namespace
+
+FragmentPass texture_pass() { return apply_textures; }
+
+}  // namespace gouraud::pipeline
