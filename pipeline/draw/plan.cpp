@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "pipeline/draw/plan_textures.h"
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/alpha.h"
 #include "pipeline/fragment/blend.h"
@@ -15,6 +16,7 @@
 #include "pipeline/fragment/polygon_stipple.h"
 #include "pipeline/fragment/varyings.h"
 #include "pipeline/geometry/texture_coordinates.h"
+#include "pipeline/texture/texture_pass.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -98,7 +100,7 @@ void describe_rasterization(const DrawState& state, const Line& line) {
 
 SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
   const bool has_one = state.lighting.enabled ? state.lighting.separate_specular : state.color_sum;
-  if (!plan.colors || !has_one) return SecondaryColor::none;
+  if (!(plan.colors || plan.textured) || !has_one) return SecondaryColor::none;
   return plan.textured ? SecondaryColor::interpolated : SecondaryColor::summed_at_vertices;
 }
 
@@ -106,8 +108,9 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
 void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
   const bool has_varyings = plan.textured;
   const auto shade = [&] {
-    plan.fragment.add(color_interpolation_pass());
+    if (plan.colors) plan.fragment.add(color_interpolation_pass());
     if (has_varyings) plan.fragment.add(varying_interpolation_pass());
+    if (plan.textured) plan.fragment.add(texture_pass());
     if (plan.coverage) plan.fragment.add(coverage_pass());
   };
   if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
@@ -124,9 +127,10 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
 }
 
 void demand_colors(const DrawState& state, Plan& plan) {
-  plan.lighting = plan.colors && state.lighting.enabled;
+  const bool secondary = plan.secondary_color != SecondaryColor::none;
+  plan.lighting = (plan.colors || secondary) && state.lighting.enabled;
   plan.vertex_colors = plan.colors && !state.lighting.enabled;
-  plan.secondary_vertex_colors = plan.vertex_colors && plan.secondary_color != SecondaryColor::none;
+  plan.secondary_vertex_colors = secondary && !state.lighting.enabled;
   plan.normals = plan.lighting && state.lighting.light_count > 0;
   plan.eye_positions = state.report.eye_positions || state.points.attenuated ||
                        (plan.lighting && (any_positional(state.lighting) || (plan.normals && state.lighting.local_viewer)));
@@ -189,12 +193,13 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
 
   // Which passes does that take?
   plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);
-  plan.colors = writes_color || plan.alpha_test;
+  const bool shades = writes_color || plan.alpha_test;
+  plan.textured = shades && state.texturing.count > 0;
+  plan.colors = shades && (!plan.textured || textures_read_color(state.texturing));
   plan.blends = writes_color && (state.raster.blend.enabled || state.raster.logic_op != LogicOp::copy);
   plan.polygon_stipple = state.raster.polygon_stipple.enabled;
-  plan.coverage = plan.colors && (state.points.smooth || state.lines.smooth || state.polygons.smooth);
+  plan.coverage = shades && (state.points.smooth || state.lines.smooth || state.polygons.smooth);
   plan.writes_color = writes_color;
-  plan.textured = plan.colors && state.texturing.count > 0;
   plan.secondary_color = secondary_color(state, plan);
   add_fragment_passes(state, target, plan);
 
@@ -232,6 +237,9 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
   describe_rasterization(state, line);
   if (plan.polygon_stipple) line("polygon stipple", "", "§3.5.2");
+  for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
+    line("texture", describe_unit(state.texturing.unit[i]), "§3.8.8, §3.8.13");
+  }
   if (plan.coverage) line("coverage", "", "§3.11");
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
   if (plan.depth) {

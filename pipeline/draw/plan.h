@@ -41,7 +41,7 @@ struct Plan {
   // What is interpolated.
   bool colors = false;
   bool depth = false;
-  bool textured = false;  ///< the coordinates of the textured units
+  bool textured = false;  ///< the coordinates of the textured units; colours are then interpolated without scale
   bool fog = false;       ///< the fog coordinate
   SecondaryColor secondary_color = SecondaryColor::none;
 
@@ -54,6 +54,9 @@ struct Plan {
 
   FragmentPasses fragment{};
   bool operator==(const Plan&) const = default;
+
+  /// Whether the texture pass gives the colours their scale. Else the passes behind it get unscaled colours and do.
+  bool textures_finish_colors() const { return textured && !fog && secondary_color != SecondaryColor::interpolated; }
 };
 
 /// Pure and cheap (no allocation): called whenever the state changed.

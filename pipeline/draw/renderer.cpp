@@ -53,7 +53,7 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
   setup.points = state.points;
   setup.lines = state.lines;
   setup.polygons = state.polygons;
-  setup.targets = {depth_scale(target.depth_format), target.depth_format == DepthFormat::z32f, color_scale(target.color_format)};
+  setup.targets = {depth_scale(target.depth_format), target.depth_format == DepthFormat::z32f, plan.textured ? 1.0f : color_scale(target.color_format)};
   return setup;
 }
 
@@ -133,9 +133,14 @@ struct Renderer::Implementation {
 
 /// What a draw needs of the stages after the vertices.
 void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings) {
-  const TexturingState* texturing = plan.textured ? bins.intern(state.texturing) : nullptr;
-  setup = bins.intern(make_setup_state(state, plan, *bins.target()),
-                      {state.raster, plan.fragment, varyings, plan.colors, texturing});
+  RasterBinding binding{state.raster, plan.fragment, varyings, plan.colors, nullptr, nullptr};
+  if (plan.textured) {
+    const float scale = plan.textures_finish_colors() ? color_scale(bins.target()->color_format) : 1.0f;
+    const TileBins::InternedTextures& textures = bins.intern(state.texturing, scale);
+    binding.texturing = &textures.state;
+    binding.texture_units = &textures.units;
+  }
+  setup = bins.intern(make_setup_state(state, plan, *bins.target()), binding);
   viewport = state.viewport;
   mode_front = state.assembly.polygon_mode_front;
   mode_back = state.assembly.polygon_mode_back;

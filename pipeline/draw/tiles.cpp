@@ -114,9 +114,13 @@ const SetupState* TileBins::intern(SetupState setup, const RasterBinding& bindin
   return &setups_.back();
 }
 
-const TexturingState* TileBins::intern(const TexturingState& texturing) {
-  if (texturings_.empty() || !(texturings_.back() == texturing)) texturings_.push_back(texturing);
-  return &texturings_.back();
+const TileBins::InternedTextures& TileBins::intern(const TexturingState& texturing, float output_scale) {
+  if (texturings_.empty() || !(texturings_.back().state == texturing) || texturings_.back().units.output_scale != output_scale) {
+    InternedTextures& made = texturings_.emplace_back();
+    prepare_texture_units(texturing, output_scale, made.units);
+    made.state = texturing;  // now that it cannot fail any more
+  }
+  return texturings_.back();
 }
 
 void TileBins::add_to_bin(std::int32_t bin_index, const Entry& entry) {

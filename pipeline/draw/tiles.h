@@ -14,6 +14,7 @@
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/primitive.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/texture/texture_units.h"
 
 namespace gouraud::pipeline {
 
@@ -53,7 +54,11 @@ class TileBins {
   const SetupState* intern(SetupState setup, const RasterBinding& binding);
 
   /// The same for the textures of a draw, which a binding points to.
-  const TexturingState* intern(const TexturingState& texturing);
+  struct InternedTextures {
+    TexturingState state;
+    TextureUnits units;  ///< made of it
+  };
+  const InternedTextures& intern(const TexturingState& texturing, float output_scale);
 
   /// Memory until the next run(), 64-byte aligned, for triangles and records; take_back() returns the end of the last.
   void* allocate(std::size_t bytes) { return arena_.allocate(bytes); }
@@ -102,7 +107,7 @@ class TileBins {
   std::int32_t first_bin_ = 0;        ///< of the sample selected
   Arena arena_;
   std::deque<RasterBinding> bindings_;
-  std::deque<TexturingState> texturings_;
+  std::deque<InternedTextures> texturings_;
   std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
   std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of each sample, sample after sample

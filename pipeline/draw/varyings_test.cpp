@@ -13,6 +13,7 @@
 #include "pipeline/geometry/test_support.h"
 #include "pipeline/geometry/texture_coordinates.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/texture/image.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -206,10 +207,18 @@ TEST(Varyings, OfPointsAreTheVertex) {
   EXPECT_EQ(block->varying[1][63], -1.0f);
 }
 
+Texture any_texture() {
+  Texture texture;
+  texture.faces.resize(1);
+  return texture;
+}
+
 TEST(VaryingLayout, LeavesQOutIfItIsOneAtEveryVertex) {
   auto state = std::make_unique<DrawState>();
   state->raster.scissor = {0, 0, 8, 8};
   state->texturing.count = 1;
+  const Texture texture = any_texture();
+  state->texturing.unit[0].texture = &texture;
   state->texturing.unit[0].unit = 2;
   state->texture_coordinates.units = 4;
   auto batch = random_batch(1, 20);
@@ -231,6 +240,8 @@ TEST(TexturePlan, DemandsWhatTexgenReadsAndNothingElse) {
   auto state = std::make_unique<DrawState>();
   state->raster.scissor = {0, 0, 8, 8};
   state->texturing.count = 1;
+  const Texture texture = any_texture();
+  state->texturing.unit[0].texture = &texture;
   state->texture_coordinates.units = 1;
   TextureCoordinateSource& source = state->texture_coordinates.unit[0];
   source.mode = {TexgenMode::sphere_map, TexgenMode::sphere_map, TexgenMode::given, TexgenMode::object_linear};

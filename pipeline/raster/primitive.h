@@ -16,6 +16,8 @@
 
 namespace gouraud::pipeline {
 
+struct TextureUnits;  // pipeline/texture/texture_units.h
+
 /// What the bins keep of a draw: shared by all primitives of equal draws.
 struct RasterBinding {
   RasterState state{};
@@ -23,6 +25,7 @@ struct RasterBinding {
   VaryingLayout varyings{};
   bool colors = false;  ///< colours are interpolated: the records are ColoredPrimitives
   const TexturingState* texturing = nullptr;  ///< interned too; null: no unit is textured
+  const TextureUnits* texture_units = nullptr;  ///< made of it
   bool operator==(const RasterBinding&) const = default;
 };
 

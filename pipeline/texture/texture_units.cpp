@@ -33,16 +33,6 @@ PreparedLevel prepare_level(const Image& image, std::int32_t dimensions) {
   return level;
 }
 
-BaseFormat effective_format(const Image& image, DepthTextureMode mode) {
-  if (image.base_format != BaseFormat::depth) return image.base_format;
-  switch (mode) {
-    case DepthTextureMode::luminance: return BaseFormat::luminance;
-    case DepthTextureMode::alpha: return BaseFormat::alpha;
-    case DepthTextureMode::intensity: break;
-  }
-  return BaseFormat::intensity;
-}
-
 /// [GL1.5 §3.8.8]: as Table 3.15 has it for the base format; the first component for depths.
 std::array<float, 4> border_texel(const glm::vec4& c, BaseFormat format, bool compares) {
   if (compares) return {c.x, c.x, c.x, c.x};
@@ -74,7 +64,7 @@ void prepare_unit(const TextureUnitState& state, PreparedUnit& out) {
   }
   out.format = first.format;
   out.srgb = first.srgb;
-  out.base_format = effective_format(first, state.sampler.depth_mode);
+  out.base_format = texture_base_format(state);
   out.border = border_texel(state.sampler.border_color, out.base_format, state.sampler.compares);
   out.kernel = {level_kernel(out, TexelFilter::nearest), level_kernel(out, TexelFilter::linear)};
   out.sample = sample_function(out);
@@ -91,6 +81,17 @@ bool reads_primary(const TextureEnvironment& environment) {
 }
 
 }  // namespace
+
+BaseFormat texture_base_format(const TextureUnitState& unit) {
+  const BaseFormat format = unit.texture->faces[0][unit.sampler.base_level].base_format;
+  if (format != BaseFormat::depth) return format;
+  switch (unit.sampler.depth_mode) {
+    case DepthTextureMode::luminance: return BaseFormat::luminance;
+    case DepthTextureMode::alpha: return BaseFormat::alpha;
+    case DepthTextureMode::intensity: break;
+  }
+  return BaseFormat::intensity;
+}
 
 void prepare_texture_units(const TexturingState& state, float output_scale, TextureUnits& out) {
   out.count = state.count;

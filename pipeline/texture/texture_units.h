@@ -88,6 +88,9 @@ struct TextureUnits {
   std::array<PreparedUnit, max_texture_units> unit;
 };
 
+/// What the environment sees of a unit's texture; of a depth texture by its mode.
+BaseFormat texture_base_format(const TextureUnitState& unit);
+
 /// `output_scale`: what the colours are multiplied by behind the last unit. Throws std::bad_alloc.
 void prepare_texture_units(const TexturingState& state, float output_scale, TextureUnits& out);
 
