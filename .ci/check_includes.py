@@ -33,7 +33,8 @@ STAGE_DATA = {
 STAGES = ("geometry", "raster", "texture", "fragment", "framebuffer")
 
 # What conformance, and of it the oracle most of all, sees of the pipeline: the interface of an observer.
-OBSERVED = ["pipeline/draw/draw_state.h", "pipeline/draw/draw_observer.h"]
+# Textures are part of what is drawn.
+OBSERVED = ["pipeline/draw/draw_state.h", "pipeline/draw/draw_observer.h", "pipeline/texture/image.h"]
 
 # What a unit test of api/ uses beside its room: the whole of api/, since it drives a context.
 API_TESTS = {"api"}

@@ -49,6 +49,9 @@ ClipVertex<T> mix(const ClipVertex<T>& from, const ClipVertex<T>& to, T t, doubl
     out.colors.primary[face] = mix(from.colors.primary[face], to.colors.primary[face], t_exact);
     out.colors.secondary[face] = mix(from.colors.secondary[face], to.colors.secondary[face], t_exact);
   }
+  for (std::size_t i = 0; i < from.colors.texture_coordinates.size(); ++i) {
+    out.colors.texture_coordinates.push_back(mix(from.colors.texture_coordinates[i], to.colors.texture_coordinates[i], t_exact));
+  }
   return out;
 }
 

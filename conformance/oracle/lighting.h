@@ -21,6 +21,9 @@ class Lighting {
   /// Colours of the batch's vertex `index`, clamped. Without lighting the vertex's own colour.
   VertexColors shade(int index);
 
+  /// The normal in eye space, scaled as the state says [GL1.5 §2.11.3].
+  Vector3 normal_to_eye(int index) const;
+
   /// How many of the vertices shaded so far were lit on a knife's edge (OraclePicture).
   std::int64_t knife_edges() const { return knife_edges_; }
 
@@ -29,8 +32,6 @@ class Lighting {
     Color primary{}, secondary{};
   };
   Lit light(const Vector3& position_eye, const Vector3& normal_eye, const pipeline::Material& material);
-  Vector3 normal_to_eye(int index) const;
-
   const pipeline::DrawState& state_;
   const pipeline::VertexBatch& batch_;
   std::array<Vector3, 3> inverse_{};  ///< of the modelview's upper 3x3, [row][column]

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "conformance/oracle/rasterize.h"
+#include "conformance/oracle/shading.h"
 #include "conformance/oracle/smooth.h"
 
 namespace gouraud::oracle {
@@ -92,7 +93,11 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
   fragment.coverage_slack = coverage < 1 ? coverage_rounding : 0;
   const std::array<Color, 2> colors{color_of(sink, sink.flat_colors ? *sink.flat_colors : a.colors),
                                     color_of(sink, sink.flat_colors ? *sink.flat_colors : b.colors)};
-  fragment.color = fragment.color_lowest = fragment.color_highest = color_at(ends, colors, t);
+  const double slope_x = squared_length > 0 ? dx / squared_length : 0.0, slope_y = squared_length > 0 ? dy / squared_length : 0.0;
+  const std::array<VertexShare, 2> shares{
+      VertexShare{&a.colors, (1 - t) * a.w_inverse, -slope_x * a.w_inverse, -slope_y * a.w_inverse},
+      VertexShare{&b.colors, t * b.w_inverse, slope_x * b.w_inverse, slope_y * b.w_inverse}};
+  set_color(shade(sink, color_at(ends, colors, t), shares), fragment);
   if ((t < 0 || t > 1) && a.w_inverse != b.w_inverse) bound_extrapolation(ends, colors, t, fragment);
   fragment.depth = (a.z == b.z ? a.z : (1 - t) * a.z + t * b.z) + sink.depth_offset;
   const double slack = a.z == b.z && sink.depth_offset == 0 ? 0.0 : sink.depth_slack;
@@ -208,8 +213,8 @@ std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits) {
 
 void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px) {
   Fragment fragment;
-  fragment.color = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors);
-  fragment.color_lowest = fragment.color_highest = fragment.color;
+  const std::array<VertexShare, 1> shares{VertexShare{&vertex.colors, 1, 0, 0}};
+  set_color(shade(sink, color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors), shares), fragment);
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = vertex.z + sink.depth_offset;
   if (sink.depth_offset != 0) {
     fragment.depth_lowest -= sink.depth_slack;

@@ -10,6 +10,7 @@
 #include "conformance/oracle/lighting.h"
 #include "conformance/oracle/positions.h"
 #include "conformance/oracle/rasterize.h"
+#include "conformance/oracle/texture_coordinates.h"
 
 namespace gouraud::oracle {
 namespace {
@@ -30,6 +31,7 @@ class Draw {
     sink_.points = state.points;
     sink_.lines = state.lines;
     sink_.smooth_polygons = state.polygons.smooth;
+    sink_.texturing = state.texturing;
     sink_.has_secondary = state.lighting.enabled && state.lighting.separate_specular;
     if (picture.depth_bits > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(picture.depth_bits);
 
@@ -38,7 +40,9 @@ class Draw {
     for (int i = 0; i < batch.count; ++i) {
       std::array<float, 4> position;
       for (std::size_t k = 0; k < 4; ++k) position[k] = batch.position_object[k][static_cast<std::size_t>(i)];
-      vertices_.push_back({to_clip_space<T>(matrix, position), lighting.shade(i)});
+      VertexColors colors = lighting.shade(i);
+      colors.texture_coordinates = texture_coordinates(state, batch, i);
+      vertices_.push_back({to_clip_space<T>(matrix, position), colors});
       sizes_.push_back(point_size(position));
     }
     picture.knife_edge_vertices += lighting.knife_edges();

@@ -53,7 +53,8 @@ enum PixelFlags : std::uint8_t {
   /// its values are. Ours: the triangle's planes, kept inside the range of the vertices. Legal: any value that the
   /// triangle has within the half sub-pixel by which snapping can have moved it, and any value of the triangle at all
   /// if its colour changes by more than 1/255 over that distance (slivers). Or it lies beyond the end of a line in
-  /// perspective: legal is all from the end's colour to the equation's value.
+  /// perspective: legal is all from the end's colour to the equation's value. Or a texture's nearest texel, level,
+  /// face or comparison hangs on less than the legal error: legal is all from one outcome to the other.
   pixel_extrapolated = 4,
   /// More outcomes than `max_alternatives`: the picture's further outcomes were dropped.
   pixel_alternatives_lost = 8,

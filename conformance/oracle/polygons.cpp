@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "conformance/oracle/rasterize.h"
+#include "conformance/oracle/shading.h"
 #include "conformance/oracle/smooth.h"
 
 namespace gouraud::oracle {
@@ -14,7 +15,7 @@ Integer doubled_area(const SubpixelPoint& a, const SubpixelPoint& b, const Subpi
 
 Color color_of(const FragmentSink& sink, const VertexColors& colors) {
   Color out = colors.primary[sink.face];
-  for (std::size_t i = 0; sink.has_secondary && i < 3; ++i) out[i] += colors.secondary[sink.face][i];
+  for (std::size_t i = 0; sink.has_secondary && sink.texturing.count == 0 && i < 3; ++i) out[i] += colors.secondary[sink.face][i];
   return out;
 }
 
@@ -36,7 +37,7 @@ struct Edge {
 /// Values over a triangle as functions of the barycentric coordinates of its unsnapped window positions.
 class Interpolation {
  public:
-  Interpolation(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) : vertices_(vertices) {
+  Interpolation(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) : sink_(sink), vertices_(vertices) {
     for (std::size_t i = 0; i < 3; ++i) {
       colors_[i] = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertices[i].colors);
     }
@@ -79,6 +80,23 @@ class Interpolation {
     return out;
   }
 
+  /// With the textures [GL1.5 §3.8].
+  TexturedColor shaded(const Vector3& weight) const {
+    const Color primary = color(weight);
+    if (sink_.texturing.count == 0) return {primary, primary, primary};
+    const auto& [a, b, c] = vertices_;
+    // Barycentric coordinates are planes: their slopes.
+    const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y), scale = area != 0 ? 1 / area : 0;
+    const Vector3 ddx{(b.y - c.y) * scale, (c.y - a.y) * scale, (a.y - b.y) * scale};
+    const Vector3 ddy{(c.x - b.x) * scale, (a.x - c.x) * scale, (b.x - a.x) * scale};
+    std::array<VertexShare, 3> shares;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double q = vertices_[i].w_inverse;
+      shares[i] = {&vertices_[i].colors, weight[i] * q, ddx[i] * q, ddy[i] * q};
+    }
+    return shade(sink_, primary, shares);
+  }
+
   double depth(const Vector3& weight) const {
     const auto& [a, b, c] = vertices_;
     return in_range(weight[0] * a.z + weight[1] * b.z + weight[2] * c.z, a.z, b.z, c.z);
@@ -93,6 +111,7 @@ class Interpolation {
     return value >= lowest ? std::min(value, highest) : lowest;
   }
 
+  const FragmentSink& sink_;
   const std::array<WindowVertex, 3>& vertices_;
   std::array<Color, 3> colors_;
   bool flat_ = false;
@@ -113,10 +132,10 @@ constexpr double resolved = 1.0 / 255;
 void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragment& fragment) {
   fragment.extrapolated = true;
   const auto include = [&](const Vector3& weight) {
-    const Color color = values.color(weight);
+    const TexturedColor color = values.shaded(weight);
     for (std::size_t i = 0; i < 4; ++i) {
-      fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color[i]);
-      fragment.color_highest[i] = std::max(fragment.color_highest[i], color[i]);
+      fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color.lowest[i]);
+      fragment.color_highest[i] = std::max(fragment.color_highest[i], color.highest[i]);
     }
     fragment.depth_lowest = std::min(fragment.depth_lowest, values.depth(weight));
     fragment.depth_highest = std::max(fragment.depth_highest, values.depth(weight));
@@ -156,7 +175,7 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
   Fragment fragment;
   fragment.x = x;
   fragment.y = y;
-  fragment.color = fragment.color_lowest = fragment.color_highest = values.color(weight);
+  set_color(values.shaded(weight), fragment);
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = values.depth(weight);
   if (!values.has_area() || std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
     bound_extrapolation(values, sink.subpixel_bits, fragment);

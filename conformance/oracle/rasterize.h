@@ -23,7 +23,8 @@ struct FragmentSink {
   /// Flat colour; null: colours are interpolated.
   const VertexColors* flat_colors = nullptr;
   Face face = front;
-  bool has_secondary = false;  ///< colours are sums of primary and secondary [GL1.5 §3.9]
+  bool has_secondary = false;  ///< colours are sums of primary and secondary [GL1.5 §3.9], behind the textures if any
+  pipeline::TexturingState texturing{};
   double depth_slack = 0;      ///< in window z
   double depth_offset = 0;     ///< of polygons, in window z [GL1.5 §3.5.5]
   pipeline::PointState points{};
@@ -47,7 +48,7 @@ bool exits_diamond(const SubpixelPoint& a, const SubpixelPoint& b, int x, int y,
 /// away from the top left corner) [GL1.5 §3.3.1].
 std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits);
 
-/// Colour of a vertex on the sink's face, with the secondary colour added if the sink asks for it.
+/// Colour of a vertex on the sink's face, with the secondary colour added if the sink asks for it and has no textures.
 Color color_of(const FragmentSink& sink, const VertexColors& colors);
 
 }  // namespace gouraud::oracle

@@ -13,10 +13,11 @@ using Color = std::array<double, 4>;  ///< RGBA
 
 enum Face : std::uint8_t { front = 0, back = 1 };
 
-/// Colours of a vertex on its front and back, clamped to [0, 1] [GL1.5 §2.14.6]. Without lighting and without
+/// What is interpolated besides depth: texture coordinates, and colours of a vertex on its front and back, clamped to [0, 1] [GL1.5 §2.14.6]. Without lighting and without
 /// separate specular colour the secondary colour is black.
 struct VertexColors {
   std::array<Color, 2> primary{}, secondary{};
+  std::vector<Vector4> texture_coordinates;  ///< s, t, r, q of each textured unit, in order
 };
 
 /// A vertex in clip space; positions in float (MESA-RULES' chain) or double (the true picture).

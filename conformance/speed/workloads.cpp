@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "conformance/speed/texture_workloads.h"
+
 namespace gouraud::speed {
 namespace {
 
@@ -322,21 +324,25 @@ Frame state_changes(const GlTable& gl) {
 }  // namespace
 
 const std::vector<Workload>& all_workloads() {
-  static const std::vector<Workload> workloads{
-      {"small_triangles", "200,000 small lit triangles", full_hd_width_px, full_hd_height_px, small_triangles},
-      {"lit_sphere", "100,352-triangle sphere, 4 lights", full_hd_width_px, full_hd_height_px, lit_sphere},
-      {"display_list", "the sphere as a display list, 1 light", full_hd_width_px, full_hd_height_px, display_list},
-      {"indexed_sphere", "the same sphere by one DrawElements", full_hd_width_px, full_hd_height_px, indexed_sphere},
-      {"layers_back_to_front", "20 Gouraud layers, back to front", full_hd_width_px, full_hd_height_px,
-       layers_back_to_front},
-      {"layers_front_to_back", "20 Gouraud layers, front to back", full_hd_width_px, full_hd_height_px,
-       layers_front_to_back},
-      {"layers_in_perspective", "20 Gouraud layers, perspective", full_hd_width_px, full_hd_height_px,
-       layers_in_perspective},
-      {"lines", "100,000 lines of width 1", full_hd_width_px, full_hd_height_px, lines},
-      {"points", "500,000 points of size 1", full_hd_width_px, full_hd_height_px, points},
-      {"state_changes", "20,000 draws, a state change each", full_hd_width_px, full_hd_height_px, state_changes},
-  };
+  static const std::vector<Workload> workloads = [] {
+    std::vector<Workload> all{
+        {"small_triangles", "200,000 small lit triangles", full_hd_width_px, full_hd_height_px, small_triangles},
+        {"lit_sphere", "100,352-triangle sphere, 4 lights", full_hd_width_px, full_hd_height_px, lit_sphere},
+        {"display_list", "the sphere as a display list, 1 light", full_hd_width_px, full_hd_height_px, display_list},
+        {"indexed_sphere", "the same sphere by one DrawElements", full_hd_width_px, full_hd_height_px, indexed_sphere},
+        {"layers_back_to_front", "20 Gouraud layers, back to front", full_hd_width_px, full_hd_height_px,
+         layers_back_to_front},
+        {"layers_front_to_back", "20 Gouraud layers, front to back", full_hd_width_px, full_hd_height_px,
+         layers_front_to_back},
+        {"layers_in_perspective", "20 Gouraud layers, perspective", full_hd_width_px, full_hd_height_px,
+         layers_in_perspective},
+        {"lines", "100,000 lines of width 1", full_hd_width_px, full_hd_height_px, lines},
+        {"points", "500,000 points of size 1", full_hd_width_px, full_hd_height_px, points},
+        {"state_changes", "20,000 draws, a state change each", full_hd_width_px, full_hd_height_px, state_changes},
+    };
+    for (const Workload& workload : texture_workloads()) all.push_back(workload);
+    return all;
+  }();
   return workloads;
 }
 
