@@ -14,6 +14,7 @@ namespace gouraud::conformance {
 
 /// Who judges what of a scene. The bounds themselves are ARCHITECTURE §5's; exceptions stand in conformance/accepted.
 enum class Judge {
+  textures,  ///< as polygons, but colours may differ from llvmpipe's in 1 % of the pixels, by 1/255
   polygons,  ///< coverage equal to llvmpipe's and the oracle's; colours within 1/255 of both; depth by the oracle
   lines_and_points,  ///< the oracle judges; llvmpipe may differ in at most 0.5 % of the pixels drawn
   oracle_only,       ///< Mesa's pictures are reported, not judged (the scene's comment says why)

@@ -178,18 +178,18 @@ void alpha_tested(const GlTable& gl) {
 SceneList texture_environment_scenes() {
   constexpr auto section = "§3.8.13";
   return {
-      {.name = "texture_env_modulate", .section = section, .shows = "Six base formats times a colour that varies.", .draw = modes<GL_MODULATE>},
-      {.name = "texture_env_replace", .section = section, .shows = "Six base formats in place of the colour.", .draw = modes<GL_REPLACE>},
-      {.name = "texture_env_decal", .section = section, .shows = "RGB replaces, RGBA lies over the colour; the rest changes nothing.", .draw = modes<GL_DECAL>},
-      {.name = "texture_env_blend", .section = section, .shows = "Six base formats mix in a green.", .draw = modes<GL_BLEND>},
-      {.name = "texture_env_add", .section = section, .shows = "Six base formats added.", .draw = modes<GL_ADD>},
-      {.name = "texture_combiners", .section = section, .shows = "64 random combiners, eight of a function in each row.", .draw = combiners},
-      {.name = "texture_crossbar", .section = section, .shows = "64 times three random combiners that read all units.", .draw = crossbar},
-      {.name = "texture_mode_pairs", .section = section, .shows = "25 pairs of modes on two units.", .draw = mode_pairs},
-      {.name = "texture_light_map", .section = section, .shows = "A ring with a base map and a light map.", .draw = base_map_and_light_map},
-      {.name = "texture_lit_modulate", .section = section, .shows = "A lit ball times a texture.", .draw = lit<GL_MODULATE>},
-      {.name = "texture_lit_decal", .section = section, .shows = "A lit ball under a decal.", .draw = lit<GL_DECAL>},
-      {.name = "texture_alpha_tested", .section = section, .shows = "Two patches with holes, blended.", .draw = alpha_tested},
+      {.name = "texture_env_modulate", .section = section, .shows = "Six base formats times a colour that varies.", .judge = Judge::textures, .draw = modes<GL_MODULATE>},
+      {.name = "texture_env_replace", .section = section, .shows = "Six base formats in place of the colour.", .judge = Judge::textures, .draw = modes<GL_REPLACE>},
+      {.name = "texture_env_decal", .section = section, .shows = "RGB replaces, RGBA lies over the colour; the rest changes nothing.", .judge = Judge::textures, .draw = modes<GL_DECAL>},
+      {.name = "texture_env_blend", .section = section, .shows = "Six base formats mix in a green.", .judge = Judge::textures, .draw = modes<GL_BLEND>},
+      {.name = "texture_env_add", .section = section, .shows = "Six base formats added.", .judge = Judge::textures, .draw = modes<GL_ADD>},
+      {.name = "texture_combiners", .section = section, .shows = "64 random combiners, eight of a function in each row.", .judge = Judge::textures, .draw = combiners},
+      {.name = "texture_crossbar", .section = section, .shows = "64 times three random combiners that read all units.", .judge = Judge::textures, .draw = crossbar},
+      {.name = "texture_mode_pairs", .section = section, .shows = "25 pairs of modes on two units.", .judge = Judge::textures, .draw = mode_pairs},
+      {.name = "texture_light_map", .section = section, .shows = "A ring with a base map and a light map.", .judge = Judge::textures, .draw = base_map_and_light_map},
+      {.name = "texture_lit_modulate", .section = section, .shows = "A lit ball times a texture.", .judge = Judge::textures, .draw = lit<GL_MODULATE>},
+      {.name = "texture_lit_decal", .section = section, .shows = "A lit ball under a decal.", .judge = Judge::textures, .draw = lit<GL_DECAL>},
+      {.name = "texture_alpha_tested", .section = section, .shows = "Two patches with holes, blended.", .judge = Judge::textures, .draw = alpha_tested},
   };
 }
 

@@ -24,10 +24,10 @@ void wrap_2d(const GlTable& gl) {
   gl.Enable(GL_TEXTURE_2D);
   filters(gl, GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
   textured_rectangle(gl, 4, 4, 124, 124, -1.3f, -1.27f, 2.21f, 2.4f);
-  textured_rectangle(gl, 4, 132, 124, 252, -0.11f, 1.13f, 0.4f, -0.23f);
+  textured_rectangle(gl, 4, 132, 124, 252, -0.11f, 1.1318f, 0.4f, -0.2273f);
   filters(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
   textured_rectangle(gl, 132, 4, 252, 124, -1.3f, -1.27f, 2.21f, 2.4f);
-  textured_rectangle(gl, 132, 132, 252, 252, -0.11f, 1.13f, 0.4f, -0.23f);
+  textured_rectangle(gl, 132, 132, 252, 252, -0.11f, 1.1318f, 0.4f, -0.2273f);
 }
 
 struct Format {
@@ -261,18 +261,18 @@ SceneList texture_sampling_scenes() {
   constexpr auto wrap = "§3.8.7", lod = "§3.8.8";
   constexpr Judge oracle = Judge::oracle_only;
   return {
-      {.name = "texture_wrap_repeat", .section = wrap, .shows = "Noise repeated: left nearest, right linear.", .draw = wrap_2d<GL_REPEAT, 16, 16>},
-      {.name = "texture_wrap_clamp", .section = wrap, .shows = "Noise clamped to [0, 1]: the linear half fades into the border colour.", .draw = wrap_2d<GL_CLAMP, 16, 16>},
-      {.name = "texture_wrap_edge", .section = wrap, .shows = "Noise whose edge texels go on.", .draw = wrap_2d<GL_CLAMP_TO_EDGE, 16, 16>},
-      {.name = "texture_wrap_border", .section = wrap, .shows = "Noise in the border colour.", .draw = wrap_2d<GL_CLAMP_TO_BORDER, 16, 16>},
-      {.name = "texture_wrap_mirrored", .section = wrap, .shows = "Noise mirrored at each repeat.", .draw = wrap_2d<GL_MIRRORED_REPEAT, 16, 16>},
-      {.name = "texture_npot_repeat", .section = wrap, .shows = "Noise of 13 x 7 texels, repeated.", .draw = wrap_2d<GL_REPEAT, 13, 7>},
-      {.name = "texture_npot_edge", .section = wrap, .shows = "Noise of 13 x 7 texels, its edge texels go on.", .draw = wrap_2d<GL_CLAMP_TO_EDGE, 13, 7>},
-      {.name = "texture_npot_mirrored", .section = wrap, .shows = "Noise of 13 x 7 texels, mirrored.", .draw = wrap_2d<GL_MIRRORED_REPEAT, 13, 7>},
-      {.name = "texture_formats_nearest", .section = "§3.8.1", .shows = "Nine formats, nearest, modulating one colour.", .draw = formats<GL_NEAREST>},
-      {.name = "texture_formats_linear", .section = "§3.8.1", .shows = "Nine formats, linear, modulating one colour.", .draw = formats<GL_LINEAR>},
+      {.name = "texture_wrap_repeat", .section = wrap, .shows = "Noise repeated: left nearest, right linear.", .judge = Judge::textures, .draw = wrap_2d<GL_REPEAT, 16, 16>},
+      {.name = "texture_wrap_clamp", .section = wrap, .shows = "Noise clamped to [0, 1]: the linear half fades into the border colour.", .judge = Judge::textures, .draw = wrap_2d<GL_CLAMP, 16, 16>},
+      {.name = "texture_wrap_edge", .section = wrap, .shows = "Noise whose edge texels go on.", .judge = Judge::textures, .draw = wrap_2d<GL_CLAMP_TO_EDGE, 16, 16>},
+      {.name = "texture_wrap_border", .section = wrap, .shows = "Noise in the border colour.", .judge = Judge::textures, .draw = wrap_2d<GL_CLAMP_TO_BORDER, 16, 16>},
+      {.name = "texture_wrap_mirrored", .section = wrap, .shows = "Noise mirrored at each repeat.", .judge = Judge::textures, .draw = wrap_2d<GL_MIRRORED_REPEAT, 16, 16>},
+      {.name = "texture_npot_repeat", .section = wrap, .shows = "Noise of 13 x 7 texels, repeated.", .judge = Judge::textures, .draw = wrap_2d<GL_REPEAT, 13, 7>},
+      {.name = "texture_npot_edge", .section = wrap, .shows = "Noise of 13 x 7 texels, its edge texels go on.", .judge = Judge::textures, .draw = wrap_2d<GL_CLAMP_TO_EDGE, 13, 7>},
+      {.name = "texture_npot_mirrored", .section = wrap, .shows = "Noise of 13 x 7 texels, mirrored.", .judge = Judge::textures, .draw = wrap_2d<GL_MIRRORED_REPEAT, 13, 7>},
+      {.name = "texture_formats_nearest", .section = "§3.8.1", .shows = "Nine formats, nearest, modulating one colour.", .judge = Judge::textures, .draw = formats<GL_NEAREST>},
+      {.name = "texture_formats_linear", .section = "§3.8.1", .shows = "Nine formats, linear, modulating one colour.", .judge = Judge::textures, .draw = formats<GL_LINEAR>},
       {.name = "texture_floor_nearest", .section = lod, .shows = "A floor of square texels that recedes.", .judge = oracle, .draw = receding<GL_NEAREST>},
-      {.name = "texture_floor_linear", .section = lod, .shows = "The floor, bilinear.", .draw = receding<GL_LINEAR>},
+      {.name = "texture_floor_linear", .section = lod, .shows = "The floor, bilinear.", .judge = Judge::textures, .draw = receding<GL_LINEAR>},
       {.name = "texture_floor_mip_nearest_nearest", .section = lod, .shows = "A floor of noise, another noise a level.", .judge = oracle, .draw = minified_noise<GL_NEAREST_MIPMAP_NEAREST>},
       {.name = "texture_floor_mip_linear_nearest", .section = lod, .shows = "The floor, bilinear in the nearest level.", .judge = oracle, .draw = minified_noise<GL_LINEAR_MIPMAP_NEAREST>},
       {.name = "texture_floor_mip_nearest_linear", .section = lod, .shows = "The floor, nearest texels of two levels mixed.", .judge = oracle, .draw = minified_noise<GL_NEAREST_MIPMAP_LINEAR>},
@@ -283,17 +283,17 @@ SceneList texture_sampling_scenes() {
       {.name = "texture_lod_range", .section = lod, .shows = "Three rows: least LOD, greatest LOD, levels 1 to 3.", .judge = oracle, .draw = clamped_levels},
       {.name = "texture_switch_nearest_linear", .section = "§3.8.9", .shows = "Minified nearest, magnified linear.", .judge = oracle, .draw = switched<GL_NEAREST, GL_LINEAR>},
       {.name = "texture_switch_linear_nearest", .section = "§3.8.9", .shows = "Minified linear, magnified nearest.", .judge = oracle, .draw = switched<GL_LINEAR, GL_NEAREST>},
-      {.name = "texture_1d", .section = wrap, .shows = "Eight bars: four wrap modes, nearest and linear.", .draw = one_d},
+      {.name = "texture_1d", .section = wrap, .shows = "Eight bars: four wrap modes, nearest and linear.", .judge = Judge::textures, .draw = one_d},
       {.name = "texture_3d_nearest", .section = lod, .shows = "A slope through a volume of 8 x 8 x 8 texels.", .judge = oracle, .draw = three_d<GL_NEAREST>},
-      {.name = "texture_3d_linear", .section = lod, .shows = "The slope, linear.", .draw = three_d<GL_LINEAR>},
+      {.name = "texture_3d_linear", .section = lod, .shows = "The slope, linear.", .judge = Judge::textures, .draw = three_d<GL_LINEAR>},
       {.name = "texture_cube_nearest", .section = "§3.8.6", .shows = "A ring that wears a cube map of 8 x 8 texels by its normals.", .judge = oracle, .draw = cube_map<GL_NEAREST, false>},
       {.name = "texture_cube_linear", .section = "§3.8.6", .shows = "The ring, linear: seams between the faces.", .judge = oracle, .draw = cube_map<GL_LINEAR, false>},
       {.name = "texture_cube_seamless", .section = "§3.8.6", .shows = "The ring without seams.", .judge = oracle, .draw = cube_map<GL_LINEAR, true>},
-      {.name = "texture_rectangle_nearest", .section = wrap, .shows = "21 x 13 texels by coordinates that count texels.", .draw = rectangle<GL_NEAREST>},
-      {.name = "texture_rectangle_linear", .section = wrap, .shows = "The same, linear.", .draw = rectangle<GL_LINEAR>},
+      {.name = "texture_rectangle_nearest", .section = wrap, .shows = "21 x 13 texels by coordinates that count texels.", .judge = Judge::textures, .draw = rectangle<GL_NEAREST>},
+      {.name = "texture_rectangle_linear", .section = wrap, .shows = "The same, linear.", .judge = Judge::textures, .draw = rectangle<GL_LINEAR>},
       {.name = "texture_compare_nearest", .section = "§3.8.14", .shows = "Six cells: less, lequal, greater, gequal, always, never.", .judge = oracle, .draw = comparison<GL_NEAREST>},
       {.name = "texture_compare_linear", .section = "§3.8.14", .shows = "The six cells with soft edges.", .judge = oracle, .draw = comparison<GL_LINEAR>},
-      {.name = "texture_projected", .section = "§2.11.2", .shows = "Noise under a texture matrix with perspective.", .draw = projected},
+      {.name = "texture_projected", .section = "§2.11.2", .shows = "Noise under a texture matrix with perspective.", .judge = Judge::textures, .draw = projected},
   };
 }
 

@@ -1,6 +1,6 @@
 // Takes offsets and weights along the axes (wrap-inl.h), gives R, G, B, A of each lane. 8-bit texels in two dimensions are
 // filtered in 16-bit fixed point with 7 fractional bits, two channels a word: at most 0.02/255 from exact, of which the
-// weights' 15 bits are 0.008. All else in float. Comparison [GL1.5 §3.8.14] comes before filtering: a linear filter gives
+// weights' 15 bits are 0.004 each. All else in float. Comparison [GL1.5 §3.8.14] comes before filtering: a linear filter gives
 // the weighted share of the texels that pass, as Mesa does.
 #include "pipeline/texture/level_kernels.h"
 
@@ -141,7 +141,8 @@ HWY_INLINE ChannelPairs lerp(const ChannelPairs& a, const ChannelPairs& b, IntVe
 
 HWY_INLINE IntVector pair_weight(const AxisTexels& axis, std::size_t lane) {
   const FloatTag d;
-  const IntVector weight = hn::ConvertTo(IntTag(), hn::Mul(hn::Load(d, axis.weight.data() + lane), hn::Set(d, 32768.0f)));
+  const IntVector rounded = hn::ConvertTo(IntTag(), hn::Add(hn::Mul(hn::Load(d, axis.weight.data() + lane), hn::Set(d, 32768.0f)), hn::Set(d, 0.5f)));
+  const IntVector weight = hn::Min(rounded, hn::Set(IntTag(), 32767));
   return hn::Or(weight, hn::ShiftLeft<16>(weight));
 }
 
