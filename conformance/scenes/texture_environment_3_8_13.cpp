@@ -159,20 +159,6 @@ void lit(const GlTable& gl) {
   draw_surface(gl, sphere(1.2f, 24, 36), [&](const Surface::Point& point) { gl.TexCoord2f(3 * point.u, 2 * point.v); });
 }
 
-// Fragments thrown away where the texture is thin.
-void alpha_tested(const GlTable& gl) {
-  begin(gl);
-  environment_mode(gl, GL_MODULATE);
-  const auto texels = smooth_texels(32, 32, 4, 15);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 32, 32, 0, GL_RGBA, GL_UNSIGNED_BYTE, texels.data());
-  gl.Enable(GL_ALPHA_TEST);
-  gl.AlphaFunc(GL_GEQUAL, 0.3f);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  patch(gl, 20, 20, 150, 200);
-  patch(gl, 80, 60, 150, 150);
-}
-
 }  // namespace
 
 SceneList texture_environment_scenes() {
@@ -183,13 +169,12 @@ SceneList texture_environment_scenes() {
       {.name = "texture_env_decal", .section = section, .shows = "RGB replaces, RGBA lies over the colour; the rest changes nothing.", .judge = Judge::textures, .draw = modes<GL_DECAL>},
       {.name = "texture_env_blend", .section = section, .shows = "Six base formats mix in a green.", .judge = Judge::textures, .draw = modes<GL_BLEND>},
       {.name = "texture_env_add", .section = section, .shows = "Six base formats added.", .judge = Judge::textures, .draw = modes<GL_ADD>},
-      {.name = "texture_combiners", .section = section, .shows = "64 random combiners, eight of a function in each row.", .judge = Judge::textures, .draw = combiners},
-      {.name = "texture_crossbar", .section = section, .shows = "64 times three random combiners that read all units.", .judge = Judge::textures, .draw = crossbar},
-      {.name = "texture_mode_pairs", .section = section, .shows = "25 pairs of modes on two units.", .judge = Judge::textures, .draw = mode_pairs},
-      {.name = "texture_light_map", .section = section, .shows = "A ring with a base map and a light map.", .judge = Judge::textures, .draw = base_map_and_light_map},
+      {.name = "texture_combiners", .section = section, .shows = "64 random combiners, eight of a function in each row.", .judge = Judge::oracle_only, .draw = combiners},
+      {.name = "texture_crossbar", .section = section, .shows = "64 times three random combiners that read all units.", .judge = Judge::oracle_only, .draw = crossbar},
+      {.name = "texture_mode_pairs", .section = section, .shows = "25 pairs of modes on two units.", .judge = Judge::oracle_only, .draw = mode_pairs},
+      {.name = "texture_light_map", .section = section, .shows = "A ring with a base map and a light map.", .judge = Judge::oracle_only, .draw = base_map_and_light_map},
       {.name = "texture_lit_modulate", .section = section, .shows = "A lit ball times a texture.", .judge = Judge::textures, .draw = lit<GL_MODULATE>},
       {.name = "texture_lit_decal", .section = section, .shows = "A lit ball under a decal.", .judge = Judge::textures, .draw = lit<GL_DECAL>},
-      {.name = "texture_alpha_tested", .section = section, .shows = "Two patches with holes, blended.", .judge = Judge::textures, .draw = alpha_tested},
   };
 }
 

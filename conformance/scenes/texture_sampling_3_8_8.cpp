@@ -1,6 +1,7 @@
-// Sampling [GL1.5 §3.8.6 to 3.8.10, 3.8.14]. Where a nearest texel or a level hangs on less than rounding, the oracle takes
+// Sampling [GL1.5 §3.8.6-3.8.10, §3.8.14]. Where a nearest texel or a level hangs on less than rounding, the oracle takes
 // either; where levels of detail decide, Mesa's pictures are reported and not judged: it takes them from 2x2 quads and
-// with a logarithm of pieces.
+// with a logarithm of pieces. So it is where llvmpipe's float and our fixed point round more than 1 % of a noise
+// differently: both are within 0.51/255 of the oracle.
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/texture_shapes.h"
 
@@ -19,7 +20,7 @@ void wrap_2d(const GlTable& gl) {
   begin(gl);
   noise_image(gl, GL_TEXTURE_2D, 0, GL_RGBA, width, height, GL_RGBA, 5);
   wraps(gl, GL_TEXTURE_2D, mode);
-  const float border[4] = {0.8f, 0.4f, 0.1f, 0.7f};
+  const float border[4] = {0.8f, 0.4f, 0.12f, 0.72f};
   gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
   gl.Enable(GL_TEXTURE_2D);
   filters(gl, GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST);
@@ -272,7 +273,7 @@ SceneList texture_sampling_scenes() {
       {.name = "texture_formats_nearest", .section = "§3.8.1", .shows = "Nine formats, nearest, modulating one colour.", .judge = Judge::textures, .draw = formats<GL_NEAREST>},
       {.name = "texture_formats_linear", .section = "§3.8.1", .shows = "Nine formats, linear, modulating one colour.", .judge = Judge::textures, .draw = formats<GL_LINEAR>},
       {.name = "texture_floor_nearest", .section = lod, .shows = "A floor of square texels that recedes.", .judge = oracle, .draw = receding<GL_NEAREST>},
-      {.name = "texture_floor_linear", .section = lod, .shows = "The floor, bilinear.", .judge = Judge::textures, .draw = receding<GL_LINEAR>},
+      {.name = "texture_floor_linear", .section = lod, .shows = "The floor, bilinear.", .judge = oracle, .draw = receding<GL_LINEAR>},
       {.name = "texture_floor_mip_nearest_nearest", .section = lod, .shows = "A floor of noise, another noise a level.", .judge = oracle, .draw = minified_noise<GL_NEAREST_MIPMAP_NEAREST>},
       {.name = "texture_floor_mip_linear_nearest", .section = lod, .shows = "The floor, bilinear in the nearest level.", .judge = oracle, .draw = minified_noise<GL_LINEAR_MIPMAP_NEAREST>},
       {.name = "texture_floor_mip_nearest_linear", .section = lod, .shows = "The floor, nearest texels of two levels mixed.", .judge = oracle, .draw = minified_noise<GL_NEAREST_MIPMAP_LINEAR>},
@@ -290,10 +291,10 @@ SceneList texture_sampling_scenes() {
       {.name = "texture_cube_linear", .section = "§3.8.6", .shows = "The ring, linear: seams between the faces.", .judge = oracle, .draw = cube_map<GL_LINEAR, false>},
       {.name = "texture_cube_seamless", .section = "§3.8.6", .shows = "The ring without seams.", .judge = oracle, .draw = cube_map<GL_LINEAR, true>},
       {.name = "texture_rectangle_nearest", .section = wrap, .shows = "21 x 13 texels by coordinates that count texels.", .judge = Judge::textures, .draw = rectangle<GL_NEAREST>},
-      {.name = "texture_rectangle_linear", .section = wrap, .shows = "The same, linear.", .judge = Judge::textures, .draw = rectangle<GL_LINEAR>},
+      {.name = "texture_rectangle_linear", .section = wrap, .shows = "The same, linear.", .judge = oracle, .draw = rectangle<GL_LINEAR>},
       {.name = "texture_compare_nearest", .section = "§3.8.14", .shows = "Six cells: less, lequal, greater, gequal, always, never.", .judge = oracle, .draw = comparison<GL_NEAREST>},
       {.name = "texture_compare_linear", .section = "§3.8.14", .shows = "The six cells with soft edges.", .judge = oracle, .draw = comparison<GL_LINEAR>},
-      {.name = "texture_projected", .section = "§2.11.2", .shows = "Noise under a texture matrix with perspective.", .judge = Judge::textures, .draw = projected},
+      {.name = "texture_projected", .section = "§2.11.2", .shows = "Noise under a texture matrix with perspective.", .judge = oracle, .draw = projected},
   };
 }
 
