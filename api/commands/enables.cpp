@@ -53,7 +53,7 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
     case GL_POINT_SMOOTH:
       return {&groups.point.smooth_enabled, dirty_assembly};
     case GL_POINT_SPRITE_ARB:
-      return {&groups.point.sprite_enabled, dirty_assembly};
+      return {&groups.point.sprite_enabled, dirty_assembly | dirty_textures};
     case GL_POLYGON_OFFSET_FILL:
       return {&groups.polygon.offset_fill_enabled, dirty_assembly};
     case GL_POLYGON_OFFSET_LINE:

@@ -141,8 +141,8 @@ std::optional<StoredFormat> find_stored_format(GLint internal_format) {
   return color ? color : find_special_format(name);
 }
 
-std::span<const GLenum> compressed_formats() {
-  static constexpr GLenum formats[] = {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
+std::span<const GLenum, compressed_format_count> compressed_formats() {
+  static constexpr GLenum formats[compressed_format_count] = {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
                                        GL_COMPRESSED_RGBA_S3TC_DXT5_EXT};
   return formats;
 }

@@ -31,7 +31,8 @@ std::optional<StoredFormat> find_stored_format(GLint internal_format);
 
 /// What GL_COMPRESSED_TEXTURE_FORMATS lists: those without a restriction that a general program would not expect
 /// [GL1.5 §6.1.3]: not DXT1 with alpha (EXT_texture_compression_s3tc).
-std::span<const GLenum> compressed_formats();
+inline constexpr int compressed_format_count = 3;
+std::span<const GLenum, compressed_format_count> compressed_formats();
 
 /// Bits of each component as stored: what GetTexLevelParameter tells.
 struct ComponentBits {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "api/commands/client_pixels.h"
 #include "api/commands/test_screen.h"
 #include "api/commands/texel_formats.h"
 
@@ -61,8 +62,8 @@ TEST(TexImage, BytesComeBackAsTheyWent) {
                         Case{GL_LUMINANCE16_ALPHA16, GL_LUMINANCE_ALPHA, 2}, Case{GL_ALPHA12, GL_ALPHA, 1},
                         Case{GL_SRGB8_ALPHA8_EXT, GL_RGBA, 4}, Case{GL_SLUMINANCE_EXT, GL_LUMINANCE, 1},
                         Case{GL_COMPRESSED_RGBA, GL_RGBA, 4}}) {
-    const Bytes bytes = numbered(7 * 5 * c.bytes);
-    EXPECT_GL(GL_NO_ERROR, tex_image(7, 5, c.internal_format, c.format, bytes));
+    const Bytes bytes = numbered(37 * 5 * c.bytes);
+    EXPECT_GL(GL_NO_ERROR, tex_image(37, 5, c.internal_format, c.format, bytes));
     EXPECT_EQ(texels(GL_TEXTURE_2D, c.format, bytes.size()), bytes) << c.internal_format;
   }
 }
@@ -297,6 +298,18 @@ TEST(S3tc, ImagesAreCompressedAndKept) {
   EXPECT_GL(GL_INVALID_OPERATION, glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 2, 4, GL_RGBA, GL_UNSIGNED_BYTE, few.data()));
 }
 
+/// Bytes from the pointer to behind the last pixel.
+std::size_t extent(Context& context, GLsizei width, GLsizei height, GLenum format, GLenum type) {
+  constexpr std::uintptr_t pointer = 4096;
+  PixelLayout layout;
+  layout.element_count = 0;
+  ClientImage image;
+  if (!find_pixel_layout(context, "", format, type, layout)) glGetError();
+  if (width == 0 || height == 0 || layout.element_count == 0) return 0;
+  EXPECT_TRUE(locate_unpack(context, "", {width, height}, layout, reinterpret_cast<const void*>(pointer), image));
+  return reinterpret_cast<std::uintptr_t>(image.row(height - 1)) + image.row_bytes() - pointer;
+}
+
 // Formats x types x sizes x borders: nothing outside the given memory is touched (the sanitizers say so), and floats of
 // colours that every format can hold come back.
 TEST(TexImage, AnyFormatTypeSizeAndBorder) {
@@ -318,12 +331,18 @@ TEST(TexImage, AnyFormatTypeSizeAndBorder) {
     const auto width = static_cast<GLsizei>(random() % 6), height = static_cast<GLsizei>(random() % 6);
     const auto border = static_cast<GLint>(random() % 2);
     const GLint alignment = 1 << random() % 4;
-    glPixelStorei(GL_UNPACK_ALIGNMENT, alignment);
-    glPixelStorei(GL_PACK_ALIGNMENT, alignment);
-    // Exactly as much memory as rows of that many bytes take, the last one without its padding.
-    std::size_t pixel = 16;
-    if (type == GL_UNSIGNED_BYTE || type == GL_BYTE) pixel = 4;
-    const std::size_t bytes = static_cast<std::size_t>(height) * ((static_cast<std::size_t>(width) * pixel + 7) / 8 * 8);
+    const auto skip_pixels = static_cast<GLint>(random() % 3), skip_rows = static_cast<GLint>(random() % 3);
+    const GLint row_length = random() % 2 == 0 ? 0 : width + skip_pixels;
+    const auto store = [&](GLenum unpack, GLenum pack, GLint value) {
+      glPixelStorei(unpack, value);
+      glPixelStorei(pack, value);
+    };
+    store(GL_UNPACK_ALIGNMENT, GL_PACK_ALIGNMENT, alignment);
+    store(GL_UNPACK_SKIP_PIXELS, GL_PACK_SKIP_PIXELS, skip_pixels);
+    store(GL_UNPACK_SKIP_ROWS, GL_PACK_SKIP_ROWS, skip_rows);
+    store(GL_UNPACK_ROW_LENGTH, GL_PACK_ROW_LENGTH, row_length);
+    // Exactly as much memory as the image takes.
+    const std::size_t bytes = extent(screen.context, width, height, format, type);
     const Bytes in(bytes, 0x5A);
     glTexImage2D(GL_TEXTURE_2D, 0, internal_format, width, height, border, format, type, in.data());
     if (glGetError() != GL_NO_ERROR) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "api/snapshot/enums.h"
 #include "pipeline/texture/completeness.h"
@@ -262,6 +263,12 @@ pipeline::TexturingState texturing_state(const State& state) {
     if (const auto unit = unit_state(state.texture, number)) result.unit[result.count++] = *unit;
   }
   drop_dangling_units(result);
+  if (!state.point.sprite_enabled) return result;
+  for (const pipeline::TextureUnitState& unit : std::span(result.unit).first(result.count)) {
+    if (state.texture.units[unit.unit].environment.coord_replace) {
+      result.sprite_units = static_cast<std::uint8_t>(result.sprite_units | 1u << unit.unit);
+    }
+  }
   return result;
 }
 

@@ -225,6 +225,7 @@ void read_texels(const Image& image, int x, int y, int z, int count, std::byte* 
 }
 
 void write_texels(const Image& image, int x, int y, int z, int count, const std::byte* texels) {
+  if (image.tiles != nullptr && image.format == TexelFormat::z24s8) image.tiles->use_stencil();
   for_runs(image, x, y, z, count, [texels](std::byte* at, std::size_t offset, std::size_t bytes) {
     std::memcpy(at, texels + offset, bytes);
   });
