@@ -44,7 +44,7 @@ void draw(GLenum mode, std::initializer_list<std::array<GLfloat, 2>> vertices) {
 
 TEST_F(Feedback, EveryTypeHasItsValues) {
   glColor4f(0.25f, 0.5f, 2, 1);
-  glTexCoord4f(0, 0, 0, 1);
+  glTexCoord4f(1, 2, 3, 4);
   const auto point = [] {
     glBegin(GL_POINTS);
     glVertex4f(6, 10, 0.5f, 2);
@@ -54,9 +54,9 @@ TEST_F(Feedback, EveryTypeHasItsValues) {
   EXPECT_EQ(feed_back(GL_3D, point), (Values{point_token, 3, 5, 0.625f}));
   EXPECT_EQ(feed_back(GL_3D_COLOR, point), (Values{point_token, 3, 5, 0.625f, 0.25f, 0.5f, 1, 1}));
   EXPECT_EQ(feed_back(GL_3D_COLOR_TEXTURE, point),
-            (Values{point_token, 3, 5, 0.625f, 0.25f, 0.5f, 1, 1, 0, 0, 0, 1}));
+            (Values{point_token, 3, 5, 0.625f, 0.25f, 0.5f, 1, 1, 1, 2, 3, 4}));
   EXPECT_EQ(feed_back(GL_4D_COLOR_TEXTURE, point),
-            (Values{point_token, 3, 5, 0.625f, 2, 0.25f, 0.5f, 1, 1, 0, 0, 0, 1}));
+            (Values{point_token, 3, 5, 0.625f, 2, 0.25f, 0.5f, 1, 1, 1, 2, 3, 4}));
   EXPECT_EQ(glGetError(), no_error);
 }
 
@@ -164,6 +164,21 @@ TEST_F(Feedback, EdgeFlagsDecideWhichEdgesAreLines) {
 
 TEST_F(Feedback, RectanglesAreQuads) {
   EXPECT_EQ(feed_back(GL_2D, [] { glRectf(1, 2, 3, 4); }), (Values{polygon_token, 4, 1, 2, 3, 2, 3, 4, 1, 4}));
+}
+
+TEST_F(Feedback, TextureCoordinatesAreTransformedAndClipped) {
+  glMatrixMode(GL_TEXTURE);
+  glScalef(2, 3, 1);
+  const Values values = feed_back(GL_3D_COLOR_TEXTURE, [] {
+    glBegin(GL_LINES);
+    glTexCoord2f(0, 1), glVertex2f(-16, 4);
+    glTexCoord2f(4, 1), glVertex2f(16, 4);
+    glEnd();
+  });
+  EXPECT_EQ(values, (Values{reset_token, 0, 4, 0.5f, 1, 1, 1, 1, 4, 3, 0, 1, 16, 4, 0.5f, 1, 1, 1, 1, 8, 3, 0, 1}));
+  glLoadIdentity();
+  EXPECT_EQ(feed_back(GL_3D_COLOR_TEXTURE, [] { draw(GL_POINTS, {{1, 2}}); }),
+            (Values{point_token, 1, 2, 0.5f, 1, 1, 1, 1, 4, 1, 0, 1}));
 }
 
 TEST_F(Feedback, BackFacesHaveTheirOwnLight) {

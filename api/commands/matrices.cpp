@@ -22,9 +22,8 @@ glm::mat4& current_matrix(State& state) {
   return *with_current_stack(state, [](auto& stack) { return &stack.top(); });
 }
 
-// Texture matrices are no part of the draw state yet: nothing reads texture coordinates.
 void matrix_changed(Context& context) {
-  if (context.state.transform.matrix_mode != GL_TEXTURE) context.change(dirty_transform);
+  context.change(dirty_transform);
 }
 
 void load(Context& context, const glm::mat4& matrix) {

@@ -51,7 +51,7 @@ void RasterPos4f(Context& context, GLfloat x, GLfloat y, GLfloat z, GLfloat w) {
   raster.distance = vertex.eye_distance;
   raster.color = vertex.color;
   raster.secondary_color = opaque(state.lighting.enabled ? vertex.specular : clamped(current.secondary_color));
-  raster.texture_coordinates = current.texture_coordinates;
+  raster.texture_coordinates = vertex.texture_coordinates;
   select_raster_position(context);
 }
 

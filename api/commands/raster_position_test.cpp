@@ -110,6 +110,27 @@ TEST(RasterPosition, TakesTheColorThatAMaterialFollows) {
   EXPECT_EQ(color(), (Vector{0.25f, 0.5f, 0.75f, 1}));
 }
 
+TEST(RasterPosition, TakesTheTextureCoordinatesOfEveryUnit) {
+  Screen screen;
+  const auto coordinates = [](GLenum unit) {
+    Vector result{};
+    glActiveTexture(unit);
+    glGetFloatv(GL_CURRENT_RASTER_TEXTURE_COORDS, result.data());
+    return result;
+  };
+  glMultiTexCoord4f(GL_TEXTURE1, 1, 2, 3, 4);
+  glMultiTexCoord2f(GL_TEXTURE0, 5, 6);
+  glActiveTexture(GL_TEXTURE1);
+  glMatrixMode(GL_TEXTURE);
+  glTranslatef(1, 0, 0);
+  glRasterPos2f(0, 0);
+  EXPECT_EQ(coordinates(GL_TEXTURE0), (Vector{5, 6, 0, 1}));
+  EXPECT_EQ(coordinates(GL_TEXTURE1), (Vector{5, 2, 3, 4}));
+  EXPECT_EQ(coordinates(GL_TEXTURE7), (Vector{0, 0, 0, 1}));
+  glWindowPos2f(0, 0);
+  EXPECT_EQ(coordinates(GL_TEXTURE1), (Vector{1, 2, 3, 4}));  // as they are
+}
+
 TEST(RasterPosition, LeavesPendingVerticesAlone) {
   Screen screen, expected;
   const auto draw = [](bool between) {

@@ -46,7 +46,22 @@ pipeline::DepthState depth_state(const DepthGroup& group, const TargetInfo& targ
 pipeline::ReportState report_state(const RenderModeState& render_mode) {
   const bool feedback = render_mode.mode == GL_FEEDBACK;
   const GLenum type = render_mode.feedback.type;
-  return {.enabled = render_mode.mode != GL_RENDER, .colors = feedback && type != GL_2D && type != GL_3D};
+  const bool textures = feedback && (type == GL_3D_COLOR_TEXTURE || type == GL_4D_COLOR_TEXTURE);
+  return {.enabled = render_mode.mode != GL_RENDER,
+          .colors = feedback && type != GL_2D && type != GL_3D,
+          .texture_units = static_cast<std::uint8_t>(textures ? 1 : 0)};
+}
+
+// The coordinates that a report wants, whether their units are textured or not [GL1.5 §2.11.4].
+pipeline::TextureCoordinatesState reported_coordinates(const State& state, std::uint8_t units) {
+  pipeline::TextureCoordinatesState result;
+  result.units = units;
+  for (std::size_t k = 0; k < max_texture_units; ++k) {
+    if ((units >> k & 1) == 0) continue;
+    result.unit[k].matrix = state.matrices.texture[k].top();
+    result.unit[k].transformed = result.unit[k].matrix != glm::mat4(1.0f);
+  }
+  return result;
 }
 
 pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
@@ -146,6 +161,11 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   const pipeline::ReportState old_report = draw_state.report;
   draw_state.report = report_state(state.render_mode);
   if (draw_state.report != old_report) dirty = dirty_all;
+  if (draw_state.report.enabled) {
+    draw_state.texture_coordinates = reported_coordinates(state, draw_state.report.texture_units);
+  } else if (old_report.enabled) {
+    draw_state.texture_coordinates = {};
+  }
   if (dirty & dirty_raster) {
     draw_state.raster = raster_state(state, target);
     draw_state.multisample = multisample_state(state.multisample, target);
@@ -185,7 +205,8 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
 
 pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target) {
   pipeline::DrawState result;
-  result.report = {.enabled = true, .colors = true, .eye_positions = true};
+  result.report = {.enabled = true, .colors = true, .eye_positions = true, .texture_units = 0xFF};
+  result.texture_coordinates = reported_coordinates(state, result.report.texture_units);
   update_lighting(state.lighting, true, pipeline::CullMode::back, result.lighting);  // front colours are enough
   result.lighting.material = canonical_material(state.lighting, result.lighting);
   result.transform = transform_state(state, normals_matter(result.lighting));

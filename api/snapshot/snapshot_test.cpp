@@ -515,6 +515,31 @@ TEST(Snapshot, DiffersExactlyWhereThePictureCanShowTheParameter) {
   for (std::size_t i = 0; i < parameters.size(); ++i) EXPECT_GT(shown[i] + hidden[i], 0) << parameters[i].name;
 }
 
+TEST(Snapshot, InSelectionHoldsWhatFindsPrimitivesAndNothingElse) {
+  const std::vector<Parameter> parameters = all_parameters();
+  Random random(9);
+  for (int round = 0; round < 500; ++round) {
+    State state = random_state(random, parameters);
+    state.render_mode.mode = GL_SELECT;
+    const TargetInfo target = random_target(random);
+    const pipeline::DrawState before = snapshot_of(state, target);
+    EXPECT_TRUE(before.report.enabled);
+    EXPECT_FALSE(before.report.colors);
+    EXPECT_EQ(before.raster.color_write_mask, 0);
+    State changed = state;
+    changed.color_buffer.clear_color = color(random);
+    changed.lighting.enabled = !changed.lighting.enabled;
+    changed.lighting.shade_model = GL_FLAT;
+    changed.color_buffer.write_enabled = {true, false, true, false};
+    changed.depth.test_enabled = !changed.depth.test_enabled;
+    changed.polygon.front_mode = GL_LINE;
+    changed.scissor.enabled = !changed.scissor.enabled;
+    EXPECT_EQ(snapshot_of(changed, target), before);
+    changed.viewport.depth_near = 0.375;
+    EXPECT_NE(snapshot_of(changed, target), before);
+  }
+}
+
 TEST(Snapshot, OfTheInitialStateIsTheInitialDrawState) {
   const TargetInfo target{0, 0, {pipeline::ColorFormat::rgba8, pipeline::DepthFormat::z24s8}, 255};
   EXPECT_EQ(snapshot_of(State(), target), pipeline::DrawState());

@@ -269,6 +269,8 @@ struct ReportState {
   bool enabled = false;
   bool colors = false;         ///< primary and secondary colour are wanted
   bool eye_positions = false;  ///< the distance from the eye is wanted
+  /// Bit k: all four coordinates of unit k are wanted, textured or not; TextureCoordinatesState has their sources.
+  std::uint8_t texture_units = 0;
   bool operator==(const ReportState&) const = default;
 };
 

@@ -140,12 +140,18 @@ void demand_colors(const DrawState& state, Plan& plan) {
 }
 
 void demand_texture_coordinates(const DrawState& state, Plan& plan) {
-  for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
-    const TextureUnitState& unit = state.texturing.unit[i];
-    const TextureCoordinateNeeds needs = needs_of(state.texture_coordinates.unit[unit.unit], coordinate_dimensions(unit));
-    if (needs.given) plan.vertex_demand |= attribute_texture_coordinates(unit.unit);
+  const auto demand = [&](int unit, int dimensions) {
+    const auto k = static_cast<std::size_t>(unit);
+    const TextureCoordinateNeeds needs = needs_of(state.texture_coordinates.unit[k], dimensions);
+    if (needs.given) plan.vertex_demand |= attribute_texture_coordinates(unit);
     plan.eye_positions |= needs.position_eye;
     plan.normals |= needs.normal_eye;
+  };
+  for (std::size_t i = 0; !plan.reports && plan.textured && i < state.texturing.count; ++i) {
+    demand(state.texturing.unit[i].unit, coordinate_dimensions(state.texturing.unit[i]));
+  }
+  for (int unit = 0; plan.reports && unit < max_texture_units; ++unit) {
+    if ((state.report.texture_units >> unit & 1) != 0) demand(unit, 3);
   }
 }
 
@@ -176,6 +182,7 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   if (state.report.enabled) {
     plan.draws = plan.reports = true;
     plan.colors = state.report.colors;
+    plan.textured = state.report.texture_units != 0;
     plan_vertices(state, plan);
     return plan;
   }

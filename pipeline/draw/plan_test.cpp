@@ -136,6 +136,18 @@ TEST(Plan, WithoutADepthBufferTestsNoDepth) {
   EXPECT_EQ(stages(state, {ColorFormat::rgba8, DepthFormat::none}), stages(unlit()));
 }
 
+TEST(Plan, ThatReportsEndsBehindClipping) {
+  DrawState state = lit();
+  state.raster = {};
+  state.report.enabled = true;
+  EXPECT_EQ(stages(state), (Stages{"transform to clip space", "clip and project", "report"}));
+  state.report.colors = true;
+  EXPECT_EQ(stages(state), (Stages{"transform to clip space", "transform normals", "light", "clip and project", "report"}));
+  state.report.texture_units = 1;
+  EXPECT_EQ(make_plan(state, window).vertex_demand, attribute_normal | attribute_texture_coordinates(0));
+  EXPECT_EQ(make_plan(state, window).fragment.count, 0);
+}
+
 TEST(Plan, ColorMaterialAsksForColors) {
   DrawState state = lit();
   EXPECT_EQ(make_plan(state, window).vertex_demand, attribute_normal);

@@ -14,16 +14,17 @@ namespace {
 
 class Reporter {
  public:
-  Reporter(const DrawState& state, const Plan& plan, const VertexBatch& batch, ProcessedVertices& vertices,
-           PrimitiveReceiver& receiver)
+  Reporter(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch,
+           ProcessedVertices& vertices, PrimitiveReceiver& receiver)
       : state_(state),
         plan_(plan),
+        varyings_(varyings),
         vertices_(vertices),
         receiver_(receiver),
         count_(vertices.count),
         two_sided_(plan.lighting && state.lighting.two_sided),
         flat_(state.assembly.shade_model == ShadeModel::flat),
-        attributes_{plan.eye_positions, plan.colors, two_sided_, false},
+        attributes_{plan.eye_positions, plan.colors, two_sided_, false, varyings.of_vertices()},
         edge_flag_((plan.vertex_demand & attribute_edge_flag) != 0 ? batch.edge_flag.data() : nullptr) {}
 
   void report(const PrimitiveRange& range) {
@@ -53,6 +54,7 @@ class Reporter {
       const Rgba& color = (back ? vertices_.color_back : vertices_.color_front)[flat_ ? provoking : index];
       result.color = glm::vec4(color.r, color.g, color.b, color.a);
     }
+    if (plan_.textured) result.texture_coordinates = texture_coordinates_of(varyings_, 0, vertices_, index);
     return result;
   }
 
@@ -99,6 +101,7 @@ class Reporter {
 
   const DrawState& state_;
   const Plan& plan_;
+  const VaryingLayout& varyings_;
   ProcessedVertices& vertices_;
   PrimitiveReceiver& receiver_;
   const std::int32_t count_;  ///< of the batch's vertices
@@ -112,9 +115,17 @@ class Reporter {
 
 }  // namespace
 
-void report_primitives(const DrawState& state, const Plan& plan, const VertexBatch& batch, ProcessedVertices& vertices,
-                       PrimitiveReceiver& receiver) {
-  Reporter reporter(state, plan, batch, vertices, receiver);
+glm::vec4 texture_coordinates_of(const VaryingLayout& varyings, int unit, const ProcessedVertices& vertices,
+                                 std::uint16_t index) {
+  const std::int8_t first = varyings.texture_coordinates[static_cast<std::size_t>(unit)].first;
+  if (first < 0) return glm::vec4(0.0f, 0.0f, 0.0f, 1.0f);
+  const auto* const arrays = &vertices.varying[static_cast<std::size_t>(first)];
+  return glm::vec4(arrays[0][index], arrays[1][index], arrays[2][index], arrays[3][index]);
+}
+
+void report_primitives(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch,
+                       ProcessedVertices& vertices, PrimitiveReceiver& receiver) {
+  Reporter reporter(state, plan, varyings, batch, vertices, receiver);
   for (const PrimitiveRange& range : batch.primitives) reporter.report(range);
 }
 

@@ -4,6 +4,7 @@
 // that their face has, in window coordinates. Leaves out widths, stipples and depth offset.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include <glm/glm.hpp>
@@ -12,6 +13,7 @@
 #include "pipeline/draw/plan.h"
 #include "pipeline/geometry/processed_vertices.h"
 #include "pipeline/geometry/vertex_batch.h"
+#include "pipeline/raster/varyings.h"
 
 namespace gouraud::pipeline {
 
@@ -33,7 +35,11 @@ class PrimitiveReceiver {
 };
 
 /// Reports the batch's primitives in order. `vertices` hold the batch after the vertex stages; the clipper adds to them.
-void report_primitives(const DrawState& state, const Plan& plan, const VertexBatch& batch, ProcessedVertices& vertices,
-                       PrimitiveReceiver& receiver);
+void report_primitives(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch,
+                       ProcessedVertices& vertices, PrimitiveReceiver& receiver);
+
+/// A vertex's four coordinates of a unit whose report is asked for; (0, 0, 0, 1) of others.
+glm::vec4 texture_coordinates_of(const VaryingLayout& varyings, int unit, const ProcessedVertices& vertices,
+                                 std::uint16_t index);
 
 }  // namespace gouraud::pipeline

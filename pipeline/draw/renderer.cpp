@@ -395,8 +395,9 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   if (target() == nullptr) return;
   if (plan.reports) {
     if (self.receiver == nullptr) return;
-    self.run_vertex_stages(state, plan, {}, batch);
-    return report_primitives(state, plan, batch, self.vertices, *self.receiver);
+    const VaryingLayout varyings = make_varying_layout(state, plan, batch);
+    self.run_vertex_stages(state, plan, varyings, batch);
+    return report_primitives(state, plan, varyings, batch, self.vertices, *self.receiver);
   }
   if (self.observer != nullptr) self.observer->draw(state, batch);
   if (!plan.draws) return;
@@ -414,7 +415,8 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
 
 ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
   Implementation& self = *implementation_;
-  self.run_vertex_stages(state, plan, {}, batch);
+  const VaryingLayout varyings = make_varying_layout(state, plan, batch);
+  self.run_vertex_stages(state, plan, varyings, batch);
   ProcessedVertex result;
   result.inside = self.vertices.outcode[0] == 0;
   if (!result.inside) return result;
@@ -428,6 +430,9 @@ ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& pla
   }
   if (plan.colors) result.color = vector(self.vertices.color_front[0]);
   if (plan.lighting && state.lighting.separate_specular) result.specular = vector(self.vertices.specular_front[0]);
+  for (std::size_t unit = 0; unit < max_texture_units; ++unit) {
+    result.texture_coordinates[unit] = texture_coordinates_of(varyings, static_cast<int>(unit), self.vertices, 0);
+  }
   return result;
 }
 

@@ -4,6 +4,7 @@
 // at finish(), or earlier when enough work is waiting. A Renderer belongs to one thread at a time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -22,6 +23,8 @@ struct ProcessedVertex {
   glm::vec3 position_window{0.0f};  ///< y up, z in [0, 1]
   float w_clip = 1.0f;
   float eye_distance = 0.0f;  ///< if the state's report asks for eye positions
+  /// Of the units that the report asks for; (0, 0, 0, 1) of others.
+  std::array<glm::vec4, max_texture_units> texture_coordinates{};
   glm::vec4 color{0.0f}, specular{0.0f};  ///< of the front face, clamped; specular is black unless it is separate
 };
 

@@ -23,6 +23,10 @@ VaryingLayout make_varying_layout(const DrawState& state, const Plan& plan, cons
     layout.count = static_cast<std::int8_t>(first + count);
     return first;
   };
+  for (std::size_t unit = 0; plan.reports && unit < max_texture_units; ++unit) {
+    if ((state.report.texture_units >> unit & 1) != 0) layout.texture_coordinates[unit] = {append(4), 3, true};
+  }
+  if (plan.reports) return layout;
   for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
     const TextureUnitState& unit = state.texturing.unit[i];
     TextureCoordinateLayout& coordinates = layout.texture_coordinates[unit.unit];
