@@ -27,9 +27,10 @@ struct Positions : pipeline::DrawObserver {
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState&, const pipeline::VertexBatch& batch) override {
     const auto& p = batch.position_object;
-    for (auto i = std::size_t{0}; i < static_cast<std::size_t>(batch.count); ++i) {
+    pipeline::for_each_named_vertex(batch, [&](std::int32_t vertex) {
+      const auto i = static_cast<std::size_t>(vertex);
       seen.push_back({p[0][i], p[1][i], p[2][i], p[3][i]});
-    }
+    });
   }
 };
 

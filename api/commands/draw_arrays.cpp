@@ -2,7 +2,6 @@
 // Blocks of every attribute that the draw demands are written to the batch at once; where edge flags are cleared,
 // vertices go through Vertex, element by element.
 // While a list is compiled the vertices go into it as Begin, values and End.
-// Leaves out: sharing of vertices that several indices name.
 #include "api/commands/draw_arrays.h"
 
 #include <algorithm>
@@ -13,6 +12,7 @@
 
 #include "api/commands/array_elements.h"
 #include "api/commands/begin_end.h"
+#include "api/commands/shared_vertices.h"
 #include "api/snapshot/enums.h"
 
 namespace gouraud::api {
@@ -176,7 +176,24 @@ void append_all(Context& context, const Sources& sources, std::uintptr_t count, 
   }
 }
 
+// The same where indices may name an element more than once.
 template <class Number>
+void append_shared(Context& context, const Sources& sources, std::uintptr_t count, Number number) {
+  SharedVertices shared(context, [&](std::span<const GLuint> elements) { append_elements(context, sources, elements); });
+  std::array<GLuint, pipeline::batch_capacity> elements;
+  for (std::uintptr_t done = 0; done < count;) {
+    const std::span<GLuint> block(elements.data(), std::min<std::uintptr_t>(elements.size(), count - done));
+    number(done, block);
+    if (!shared.add(block)) return;
+    done += block.size();
+  }
+  shared.finish();
+}
+
+/// Whether elements may be named more than once.
+enum class Elements : std::uint8_t { once, shared };
+
+template <Elements kind, class Number>
 void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t count, Number number) {
   if (!sources.has(array_vertex) || count == 0) return;
   if (context.compiling()) {
@@ -190,9 +207,10 @@ void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t 
   }
   if (!context.can_draw("glDrawArrays")) return;
   const CurrentGroup before = context.state.current;
-  context.begin_primitive(primitive_mode(mode));
+  constexpr bool indexed = kind == Elements::shared;
+  indexed ? context.begin_indexed_primitive(primitive_mode(mode)) : context.begin_primitive(primitive_mode(mode));
   try {
-    append_all(context, sources, count, number);
+    indexed ? append_shared(context, sources, count, number) : append_all(context, sources, count, number);
   } catch (...) {  // no memory
     context.state.current = before;
     context.end_primitive();
@@ -222,7 +240,7 @@ void draw_range(Context& context, GLenum mode, const Sources& sources, GLint fir
     const std::uintptr_t available = sources.at(array_vertex).available;
     length = from < available ? std::min(length, available - from) : 0;
   }
-  draw(context, mode, sources, length, [from](std::uintptr_t done, std::span<GLuint> elements) {
+  draw<Elements::once>(context, mode, sources, length, [from](std::uintptr_t done, std::span<GLuint> elements) {
     for (std::size_t i = 0; i < elements.size(); ++i) elements[i] = from + static_cast<GLuint>(done + i);
   });
 }
@@ -240,7 +258,7 @@ bool is_index_type(Context& context, GLenum type, const char* command) {
 
 template <class T>
 void draw_indexed(Context& context, GLenum mode, const Sources& sources, std::uintptr_t count, std::uintptr_t address) {
-  draw(context, mode, sources, count, [address](std::uintptr_t done, std::span<GLuint> elements) {
+  draw<Elements::shared>(context, mode, sources, count, [address](std::uintptr_t done, std::span<GLuint> elements) {
     for (std::size_t i = 0; i < elements.size(); ++i) {
       T index;
       std::memcpy(&index, reinterpret_cast<const void*>(address + (done + i) * sizeof(T)), sizeof(T));

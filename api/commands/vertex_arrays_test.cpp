@@ -29,16 +29,14 @@ struct Recorder : pipeline::DrawObserver {
   void target_changed(int, int, int, int) override {}
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState&, const pipeline::VertexBatch& batch) override {
-    for (const pipeline::PrimitiveRange& range : batch.primitives) {
-      modes.push_back(range.mode);
-      for (auto i = static_cast<std::size_t>(range.first); i < static_cast<std::size_t>(range.first + range.count);
-           ++i) {
-        const auto &p = batch.position_object, &c = batch.color;
-        const auto& n = batch.normal_object;
-        vertices.push_back(
-            {{p[0][i], p[1][i], p[2][i], p[3][i]}, {c[0][i], c[1][i], c[2][i], c[3][i]}, {n[0][i], n[1][i], n[2][i]}});
-      }
-    }
+    for (const pipeline::PrimitiveRange& range : batch.primitives) modes.push_back(range.mode);
+    pipeline::for_each_named_vertex(batch, [&](std::int32_t vertex) {
+      const auto i = static_cast<std::size_t>(vertex);
+      const auto &p = batch.position_object, &c = batch.color;
+      const auto& n = batch.normal_object;
+      vertices.push_back(
+          {{p[0][i], p[1][i], p[2][i], p[3][i]}, {c[0][i], c[1][i], c[2][i], c[3][i]}, {n[0][i], n[1][i], n[2][i]}});
+    });
   }
 };
 

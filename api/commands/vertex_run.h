@@ -28,12 +28,15 @@ struct RunAttribute {
 };
 
 /// The head of an entry's payload. Behind it, a RunAttribute for each value that the run sets, in the order of their tags;
-/// then arrays of `count` floats: x, y, z, w of the positions, and the components of each attribute that varies.
+/// then arrays of `distinct` floats: x, y, z, w of the positions, and the components of each attribute that varies. If
+/// fewer vertices are distinct than there are vertices, `count` numbers of type std::uint32_t say which ones they are.
 struct VertexRun {
   GLenum mode = 0;
   std::uint32_t count = 0;
+  std::uint32_t distinct = 0;
   std::uint32_t attribute_count = 0;
-  std::uint32_t unused = 0;
+
+  bool is_indexed() const { return distinct < count; }
 };
 
 /// Puts a run of `mode` in place of the list's entries from offset `begin` on: a Begin, then only vertices and their

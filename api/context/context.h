@@ -126,6 +126,11 @@ class Context {
   /// Begin and End [GL1.5 §2.6.1]; begin_primitive refreshes first.
   void begin_primitive(pipeline::PrimitiveMode mode);
   void end_primitive();
+  /// As begin_primitive, for a primitive whose vertices are named by batch.elements; end_primitive ends it as well.
+  void begin_indexed_primitive(pipeline::PrimitiveMode mode);
+  /// Gives the batch to the renderer and goes on with the primitive in an empty one. The caller appends again, as the first
+  /// elements, those that the primitive still needs (see PrimitiveRange).
+  void continue_indexed_primitive();
   /// For a vertex that the batch has no room for: gives the full batch to the renderer and carries over what the
   /// primitive still needs (see PrimitiveRange). False if the vertex is not to be kept.
   bool make_room_for_vertex();

@@ -17,23 +17,7 @@ using pipeline::VertexBatch;
 /// A Begin starts a new batch if less room than this is left: enough for any cut to carry its vertices over.
 constexpr std::int32_t least_room = 12;
 
-// The number of vertices by whole multiples of which a range may be cut.
-constexpr std::int32_t cut_multiple(PrimitiveMode mode) {
-  switch (mode) {
-    case PrimitiveMode::triangles:
-      return 3;
-    case PrimitiveMode::quads:
-      return 4;
-    case PrimitiveMode::lines:
-    case PrimitiveMode::triangle_strip:
-    case PrimitiveMode::quad_strip:
-      return 2;
-    default:
-      return 1;
-  }
-}
-
-constexpr std::int32_t limit_of(PrimitiveMode mode, std::int32_t first) {
+std::int32_t limit_of(PrimitiveMode mode, std::int32_t first) {
   const std::int32_t multiple = cut_multiple(mode);
   return first + (pipeline::batch_capacity - first) / multiple * multiple;
 }
@@ -88,6 +72,25 @@ void append_material(VertexBatch& batch, const pipeline::MaterialPair& material)
 }
 
 }  // namespace
+
+void ElementSlots::clear() {
+  if (++batch_number == 0) *this = {.batch_number = 1};
+}
+
+std::int32_t cut_multiple(PrimitiveMode mode) {
+  switch (mode) {
+    case PrimitiveMode::triangles:
+      return 3;
+    case PrimitiveMode::quads:
+      return 4;
+    case PrimitiveMode::lines:
+    case PrimitiveMode::triangle_strip:
+    case PrimitiveMode::quad_strip:
+      return 2;
+    default:
+      return 1;
+  }
+}
 
 void keep_more_attributes(VertexBatch& batch, std::uint32_t demand, const CurrentGroup& current) {
   constexpr std::uint32_t kept = pipeline::attribute_normal | pipeline::attribute_color;
@@ -151,13 +154,31 @@ void Context::begin_primitive(PrimitiveMode mode) {
   immediate.inside_begin_end = true;
 }
 
+void Context::begin_indexed_primitive(PrimitiveMode mode) {
+  begin_primitive(mode);
+  if (immediate.limit == 0) return;
+  VertexBatch& batch = immediate.batch;
+  immediate.limit = pipeline::batch_capacity;
+  batch.primitives.back().indexed = true;
+  batch.primitives.back().first = static_cast<std::int32_t>(batch.elements.size());
+}
+
+void Context::continue_indexed_primitive() {
+  VertexBatch& batch = immediate.batch;
+  pipeline::PrimitiveRange& range = batch.primitives.back();
+  range.ends = false;
+  range.count = static_cast<std::int32_t>(batch.elements.size()) - range.first;
+  draw_pending();
+  batch.primitives.push_back({immediate.mode, false, true, 0, 0, true});
+}
+
 void Context::end_primitive() {
   immediate.inside_begin_end = false;
   if (immediate.limit == 0) return;
   immediate.limit = 0;
   VertexBatch& batch = immediate.batch;
   pipeline::PrimitiveRange& range = batch.primitives.back();
-  range.count = batch.count - range.first;
+  range.count = (range.indexed ? static_cast<std::int32_t>(batch.elements.size()) : batch.count) - range.first;
   if (range.count == 0) batch.primitives.pop_back();
 }
 

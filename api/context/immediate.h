@@ -2,6 +2,8 @@
 // as their DrawState stays the same.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "api/state/current.h"
@@ -9,6 +11,22 @@
 #include "pipeline/geometry/vertex_batch.h"
 
 namespace gouraud::api {
+
+/// Where elements stand in the batch: an open hash table that SharedVertices (commands/shared_vertices.h) uses.
+struct ElementSlots {
+  /// Valid if `batch_number` is the table's.
+  struct Slot {
+    std::uint32_t element = 0;
+    std::uint32_t batch_number = 0;
+    std::uint16_t vertex = 0;
+  };
+  static constexpr int bits = 12;  ///< four times as many slots as a batch has vertices
+  std::uint32_t batch_number = 0;
+  std::array<Slot, std::size_t{1} << bits> slot{};
+
+  /// All slots are free again.
+  void clear();
+};
 
 struct Immediate {
   /// A vertex may be appended while batch.count < limit. 0 outside Begin/End and while nothing that is drawn can change
@@ -22,7 +40,11 @@ struct Immediate {
   /// The material (canonical) for the next vertex; what the batch's first vertex had is in the draw state.
   pipeline::MaterialPair material{};
   pipeline::VertexBatch batch;
+  ElementSlots element_slots;
 };
+
+/// The number of vertices by whole multiples of which a primitive of this mode may be cut into ranges.
+std::int32_t cut_multiple(pipeline::PrimitiveMode mode);
 
 /// The components of what a vertex attribute takes from the current values.
 const float* current_value(const CurrentGroup& current, std::uint32_t attribute);

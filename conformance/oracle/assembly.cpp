@@ -115,4 +115,9 @@ std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::Ass
   return out.take();
 }
 
+void resolve_elements(const pipeline::VertexBatch& batch, Primitive& primitive) {
+  for (int& vertex : primitive.vertex) vertex = batch.elements[static_cast<std::size_t>(vertex)];
+  primitive.provoking = batch.elements[static_cast<std::size_t>(primitive.provoking)];
+}
+
 }  // namespace gouraud::oracle

@@ -22,6 +22,9 @@ struct Primitive {
   bool continues = false;  ///< the same polygon as the triangle before
 };
 
+/// Of an indexed range, vertices are elements: resolve_elements() replaces them by the vertices that they name.
 std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, const pipeline::AssemblyState& state);
+
+void resolve_elements(const pipeline::VertexBatch& batch, Primitive& primitive);
 
 }  // namespace gouraud::oracle

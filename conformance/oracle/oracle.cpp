@@ -233,6 +233,7 @@ void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& b
   for (const pipeline::PrimitiveRange& range : batch.primitives) {
     if (range.begins) draw.reset_stipple();
     for (Primitive& primitive : assemble(range, state.assembly)) {
+      if (range.indexed) resolve_elements(batch, primitive);
       if (range.mode == pipeline::PrimitiveMode::lines) draw.reset_stipple();
       apply_edge_flags(batch, range, state.assembly, primitive);
       draw.draw(primitive);

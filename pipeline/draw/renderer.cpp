@@ -323,6 +323,7 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
     assembled.points.clear();
     // choice: quads that are not filled are split like flat ones, as Mesa does: their edges then come in order.
     assemble(range, unfilled ? ShadeModel::flat : state.assembly.shade_model, assembled);
+    if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
     if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
     for (const AssembledTriangle& triangle : assembled.triangles) {
       const auto& outcode = vertices.outcode;

@@ -116,8 +116,24 @@ void apply_edge_flags(const PrimitiveRange& range, const std::uint8_t* edge_flag
   }
 }
 
+void resolve_elements(const std::uint16_t* elements, AssembledPrimitives& primitives) {
+  const auto resolve = [elements](std::uint16_t& vertex) { vertex = elements[vertex]; };
+  for (AssembledTriangle& triangle : primitives.triangles) {
+    for (std::uint16_t& vertex : triangle.vertex) resolve(vertex);
+    resolve(triangle.provoking);
+  }
+  for (AssembledLine& line : primitives.lines) {
+    for (std::uint16_t& vertex : line.vertex) resolve(vertex);
+    resolve(line.provoking);
+  }
+  for (AssembledPoint& point : primitives.points) {
+    resolve(point.vertex);
+    resolve(point.provoking);
+  }
+}
+
 void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrimitives& out) {
-  const Indices at{range.first};
+  const Indices at{range.indexed ? 0 : range.first};
   const std::int32_t count = range.count;
   switch (range.mode) {
     case PrimitiveMode::points:

@@ -42,6 +42,8 @@ struct PrimitiveRange {
   PrimitiveMode mode = PrimitiveMode::points;
   bool begins = true, ends = true;
   std::int32_t first = 0, count = 0;
+  /// The range is [first, first + count) of VertexBatch::elements, which name the vertices: some are shared.
+  bool indexed = false;
 };
 
 /// From vertex `first` on, this material applies (glMaterial between vertices).
@@ -60,11 +62,13 @@ struct VertexBatch {
   alignas(64) std::array<VertexArray<4>, max_texture_units> texture_coordinates;  ///< s, t, r, q of each unit
   alignas(64) std::array<std::uint8_t, batch_stride> edge_flag;  ///< 1: the edge that starts here is a boundary edge
   std::vector<PrimitiveRange> primitives;      ///< in drawing order
+  std::vector<std::uint16_t> elements;         ///< vertices of indexed ranges
   std::vector<MaterialRun> material_runs;      ///< ascending `first`; the DrawState's material applies before
 
   void clear() {
     count = 0;
     primitives.clear();
+    elements.clear();
     material_runs.clear();
   }
 };
@@ -80,6 +84,16 @@ void for_each_attribute(VertexBatch& batch, std::uint32_t demand, const Visit& v
   for (int unit = 0; demand >= attribute_texture_coordinates(unit); ++unit) {
     const std::uint32_t attribute = attribute_texture_coordinates(unit);
     if (demand & attribute) visit(attribute, batch.texture_coordinates[static_cast<std::size_t>(unit)]);
+  }
+}
+
+/// Calls visit(vertex) for the vertices of all ranges in the order in which the application named them.
+template <class Visit>
+void for_each_named_vertex(const VertexBatch& batch, Visit visit) {
+  for (const PrimitiveRange& range : batch.primitives) {
+    for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
+      visit(range.indexed ? static_cast<std::int32_t>(batch.elements[static_cast<std::size_t>(i)]) : i);
+    }
   }
 }
 
