@@ -19,6 +19,7 @@ PUBLIC = {"GL/gl.h", "GL/osmesa.h", "api/gouraud.h"}
 # Headers that say what data passes between stages and how it is read; none of them is a stage.
 STAGE_DATA = {
     "pipeline/draw/draw_state.h",
+    "pipeline/draw/sample_counter.h",
     "pipeline/draw/limits.h",
     "pipeline/draw/texture_state.h",
     "pipeline/raster/varyings.h",

@@ -33,6 +33,7 @@ constexpr GroupRow<AttributeGroups> group_rows[] = {
     {GL_POLYGON_STIPPLE_BIT, restore<&Attributes::polygon_stipple>},
     {GL_LIGHTING_BIT, restore<&Attributes::lighting>},
     {GL_DEPTH_BUFFER_BIT, restore<&Attributes::depth>},
+    {GL_ACCUM_BUFFER_BIT, restore<&Attributes::accum>},
     {GL_STENCIL_BUFFER_BIT, restore<&Attributes::stencil>},
     {GL_VIEWPORT_BIT, restore<&Attributes::viewport>},
     {GL_TRANSFORM_BIT, restore<&Attributes::transform>},

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include "api/commands/accumulation.h"
 #include "api/commands/begin_end.h"
+#include "api/commands/buffer_selection.h"
 #include "api/commands/current_values.h"
 #include "api/commands/enables.h"
 #include "api/commands/evaluators.h"
@@ -14,6 +16,7 @@
 #include "api/commands/pixel_store.h"
 #include "api/commands/raster_position.h"
 #include "api/commands/rasterization.h"
+#include "api/commands/stencil.h"
 #include "api/commands/vertex_arrays.h"
 #include "api/commands/viewport.h"
 #include "api/snapshot/snapshot.h"
@@ -44,6 +47,12 @@ const Change changes[] = {
     {GL_DEPTH_BUFFER_BIT, false, [](Context& c) { DepthFunc(c, GL_GREATER); }},
     {GL_DEPTH_BUFFER_BIT, true, [](Context& c) { Enable(c, GL_DEPTH_TEST); }},
     {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { ClearStencil(c, 3); }},
+    {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { StencilFunc(c, GL_LESS, 1, 2); }},
+    {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { StencilOpSeparateATI(c, GL_BACK, GL_ZERO, GL_INCR, GL_DECR_WRAP); }},
+    {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { ActiveStencilFaceEXT(c, GL_BACK); }},
+    {GL_STENCIL_BUFFER_BIT, true, [](Context& c) { Enable(c, GL_STENCIL_TEST); }},
+    {GL_STENCIL_BUFFER_BIT, true, [](Context& c) { Enable(c, GL_STENCIL_TEST_TWO_SIDE_EXT); }},
+    {GL_ACCUM_BUFFER_BIT, false, [](Context& c) { ClearAccum(c, 1, 0, -1, 0); }},
     {GL_VIEWPORT_BIT, false, [](Context& c) { Viewport(c, 1, 2, 3, 4); }},
     {GL_VIEWPORT_BIT, false, [](Context& c) { DepthRange(c, 0.5, 0.25); }},
     {GL_TRANSFORM_BIT, false, [](Context& c) { MatrixMode(c, GL_TEXTURE); }},

@@ -82,6 +82,10 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
       return {&groups.scissor.enabled, dirty_raster};
     case GL_TEXTURE_CUBE_MAP_SEAMLESS:
       return {&groups.texture.seamless_enabled, dirty_textures};
+    case GL_STENCIL_TEST:
+      return {&groups.stencil.test_enabled, dirty_raster};
+    case GL_STENCIL_TEST_TWO_SIDE_EXT:
+      return {&groups.stencil.two_side_enabled, dirty_raster};
     default:
       return {};
   }

@@ -1,5 +1,7 @@
 // Rows of [GL1.5 Tables 6.13, 6.14, 6.19 to 6.21, 6.27]: rasterization, per-fragment tests, framebuffer control, pixel
 // store, hints.
+#include <algorithm>
+
 #include "api/commands/state_rows.h"
 
 namespace gouraud::api {
@@ -20,6 +22,21 @@ void read_store(const Context& c, StateValue& v) {
 template <auto parameter>
 void read_blend(const Context& c, StateValue& v) {
   set(v, c.state.color_buffer.blend.*parameter);
+}
+
+const StencilSide& active(const StencilGroup& stencil) {
+  return stencil.active_face == GL_FRONT ? stencil.front : stencil.two_side_back;
+}
+const StencilSide& separate_back(const StencilGroup& stencil) {
+  return stencil.separate_back;
+}
+template <auto side, auto parameter>
+void read_stencil(const Context& c, StateValue& v) {
+  set(v, side(c.state.stencil).*parameter);
+}
+template <auto side>
+void read_stencil_reference(const Context& c, StateValue& v) {
+  set(v, std::clamp(side(c.state.stencil).reference, 0, static_cast<GLint>(c.target_info().stencil_mask)));
 }
 
 constexpr StateRow rows[] = {
@@ -69,7 +86,19 @@ constexpr StateRow rows[] = {
     {GL_DEPTH_FUNC, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.func); }},
     {GL_DEPTH_WRITEMASK, boolean, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.write_enabled); }},
     {GL_DEPTH_CLEAR_VALUE, normalized, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.clear_value); }},
-    {GL_STENCIL_WRITEMASK, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.stencil.write_mask); }},
+    {GL_STENCIL_FUNC, integer, 1, read_stencil<active, &StencilSide::func>},
+    {GL_STENCIL_REF, integer, 1, read_stencil_reference<active>},
+    {GL_STENCIL_VALUE_MASK, integer, 1, read_stencil<active, &StencilSide::compare_mask>},
+    {GL_STENCIL_FAIL, integer, 1, read_stencil<active, &StencilSide::fail>},
+    {GL_STENCIL_PASS_DEPTH_FAIL, integer, 1, read_stencil<active, &StencilSide::depth_fail>},
+    {GL_STENCIL_PASS_DEPTH_PASS, integer, 1, read_stencil<active, &StencilSide::depth_pass>},
+    {GL_STENCIL_WRITEMASK, integer, 1, read_stencil<active, &StencilSide::write_mask>},
+    {GL_STENCIL_BACK_FUNC_ATI, integer, 1, read_stencil<separate_back, &StencilSide::func>},
+    {GL_STENCIL_BACK_FAIL_ATI, integer, 1, read_stencil<separate_back, &StencilSide::fail>},
+    {GL_STENCIL_BACK_PASS_DEPTH_FAIL_ATI, integer, 1, read_stencil<separate_back, &StencilSide::depth_fail>},
+    {GL_STENCIL_BACK_PASS_DEPTH_PASS_ATI, integer, 1, read_stencil<separate_back, &StencilSide::depth_pass>},
+    {GL_ACTIVE_STENCIL_FACE_EXT, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.stencil.active_face); }},
+    {GL_ACCUM_CLEAR_VALUE, normalized, 4, [](const Context& c, StateValue& v) { set(v, c.state.accum.clear_value); }},
     {GL_STENCIL_CLEAR_VALUE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.stencil.clear_value); }},
     {GL_COLOR_WRITEMASK, boolean, 4,
      [](const Context& c, StateValue& v) {

@@ -35,10 +35,6 @@ void DepthMask(Context& context, GLboolean flag) {
   context.change(dirty_raster);
 }
 
-void StencilMask(Context& context, GLuint mask) {
-  context.state.stencil.write_mask = mask;
-}
-
 void IndexMask(Context& context, GLuint mask) {
   context.state.color_buffer.index_write_mask = mask;
 }
@@ -65,7 +61,7 @@ void Clear(Context& context, GLbitfield mask) {
   if ((mask & ~buffers) != 0) return context.record_error(GL_INVALID_VALUE, "glClear", "mask has an unknown bit");
   if (renders_nothing(context) || !context.can_draw("glClear")) return;
   const pipeline::ClearState clear = clear_state(context.state, context.target_info(), mask);
-  if (clear.scissor.empty() || !(clear.color || clear.depth || clear.stencil)) return;
+  if (clear.scissor.empty() || !(clear.color || clear.depth || clear.stencil || clear.accum)) return;
   context.flush_vertices();
   context.renderer().clear(clear);
 }

@@ -14,7 +14,6 @@ void DepthFunc(Context& context, GLenum func);
 
 void ColorMask(Context& context, GLboolean red, GLboolean green, GLboolean blue, GLboolean alpha);
 void DepthMask(Context& context, GLboolean flag);
-void StencilMask(Context& context, GLuint mask);
 void IndexMask(Context& context, GLuint mask);
 
 /// Colours and depth are clamped to [0, 1].

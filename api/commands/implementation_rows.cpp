@@ -35,6 +35,10 @@ void read_stencil_bits(const Context& c, StateValue& v) {
   set(v, c.target_info().stencil_mask != 0 ? 8 : 0);
 }
 
+void read_accum_bits(const Context& c, StateValue& v) {
+  set(v, c.target_info().accumulates ? 32 : 0);
+}
+
 constexpr StateRow rows[] = {
     {GL_MAX_LIGHTS, integer, 1, read_constant<max_lights>},
     {GL_MAX_CLIP_PLANES, integer, 1, read_constant<max_clip_planes>},
@@ -87,10 +91,10 @@ constexpr StateRow rows[] = {
     {GL_INDEX_BITS, integer, 1, read_constant<0>},
     {GL_DEPTH_BITS, integer, 1, read_depth_bits},
     {GL_STENCIL_BITS, integer, 1, read_stencil_bits},
-    {GL_ACCUM_RED_BITS, integer, 1, read_constant<0>},
-    {GL_ACCUM_GREEN_BITS, integer, 1, read_constant<0>},
-    {GL_ACCUM_BLUE_BITS, integer, 1, read_constant<0>},
-    {GL_ACCUM_ALPHA_BITS, integer, 1, read_constant<0>},
+    {GL_ACCUM_RED_BITS, integer, 1, read_accum_bits},
+    {GL_ACCUM_GREEN_BITS, integer, 1, read_accum_bits},
+    {GL_ACCUM_BLUE_BITS, integer, 1, read_accum_bits},
+    {GL_ACCUM_ALPHA_BITS, integer, 1, read_accum_bits},
 };
 
 }  // namespace

@@ -120,7 +120,7 @@ bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat
   flush_vertices();
   try {
     auto fresh = std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, depth_format(config_),
-                                                         config_.stencil_bits > 0 ? 8 : 0);
+                                                         config_.stencil_bits > 0 ? 8 : 0, config_.accum_bits > 0);
     if (target() == window_.get()) renderer_.set_target(nullptr);
     window_ = std::move(fresh);
   } catch (const std::bad_alloc&) {
@@ -147,7 +147,8 @@ TargetInfo Context::target_info() const {
           stencil_mask,
           writes_color ? target->color_channels : std::uint8_t{0},
           target->samples > 1 ? target->samples : 0,
-          target->has_depth};
+          target->has_depth,
+          !target->accum.empty()};
 }
 
 void Context::finish_rendering() {

@@ -13,6 +13,7 @@
 #include "api/context/immediate.h"
 #include "api/context/object_names.h"
 #include "api/context/texture_proxies.h"
+#include "api/context/query_names.h"
 #include "api/snapshot/snapshot.h"
 #include "api/state/attribute_stacks.h"
 #include "api/state/buffer_object.h"
@@ -165,6 +166,7 @@ class Context {
   AttributeStacks attribute_stacks;
   Immediate immediate;
   ListCompiler list_compiler;
+  QueryNames query_names;
   /// The lists of this context and of those it shares with; never null.
   const std::shared_ptr<DisplayLists> display_lists;
   /// How many lists are being executed, one called by the other.

@@ -24,6 +24,31 @@ constexpr pipeline::LogicOp logic_op(GLenum op) {
   return static_cast<pipeline::LogicOp>(op - GL_CLEAR);
 }
 
+constexpr pipeline::StencilOp stencil_op(GLenum op) {
+  using enum pipeline::StencilOp;
+  switch (op) {
+    case GL_ZERO: return zero;
+    case GL_REPLACE: return replace;
+    case GL_INCR: return increment;
+    case GL_DECR: return decrement;
+    case GL_INVERT: return invert;
+    case GL_INCR_WRAP: return increment_wrap;
+    case GL_DECR_WRAP: return decrement_wrap;
+    default: return keep;
+  }
+}
+
+constexpr pipeline::AccumOp accum_op(GLenum op) {
+  using enum pipeline::AccumOp;
+  switch (op) {
+    case GL_LOAD: return load;
+    case GL_ADD: return add;
+    case GL_MULT: return multiply;
+    case GL_RETURN: return give_back;
+    default: return accumulate;
+  }
+}
+
 constexpr pipeline::BlendEquation blend_equation(GLenum mode) {
   using enum pipeline::BlendEquation;
   return mode == GL_MIN                     ? min

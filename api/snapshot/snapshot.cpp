@@ -1,12 +1,15 @@
 #include "api/snapshot/snapshot.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "api/snapshot/blend_snapshot.h"
 #include "api/snapshot/enums.h"
 #include "api/snapshot/lighting_snapshot.h"
 #include "api/snapshot/rasterization_snapshot.h"
 #include "api/snapshot/texture_snapshot.h"
+#include "api/snapshot/stencil_snapshot.h"
 #include "api/state/matrix.h"
 
 namespace gouraud::api {
@@ -64,17 +67,26 @@ pipeline::TextureCoordinatesState reported_coordinates(const State& state, std::
   return result;
 }
 
+bool back_faces_drawn(const PolygonGroup& polygon) {
+  return !polygon.cull_enabled || polygon.cull_face == GL_FRONT;
+}
+
 pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
   if (const auto report = report_state(state.render_mode); report.enabled) {
     pipeline::RasterState nothing;
     nothing.color_write_mask = report.colors ? 0xF : 0;
     return nothing;
   }
-  const std::uint8_t mask = color_write_mask(state.color_buffer, target);
-  pipeline::RasterState result{writable_rect(state.scissor, target), depth_state(state.depth, target), mask,
-                               alpha_test_state(state.color_buffer), blend_state(state.color_buffer, mask),
-                               logic_op_state(state.color_buffer, mask, target.format.color)};
+  pipeline::RasterState result;
+  result.scissor = writable_rect(state.scissor, target);
+  result.depth = depth_state(state.depth, target);
+  result.color_write_mask = color_write_mask(state.color_buffer, target);
+  result.alpha_test = alpha_test_state(state.color_buffer);
+  result.blend = blend_state(state.color_buffer, result.color_write_mask);
+  result.logic_op = logic_op_state(state.color_buffer, result.color_write_mask, target.format.color);
   result.polygon_stipple = polygon_stipple_state(state.polygon, state.polygon_stipple);
+  result.stencil = stencil_state(state.stencil, target.stencil_mask, result.depth, back_faces_drawn(state.polygon));
+  result.counts_samples = state.current_query != 0;
   return result;
 }
 
@@ -92,7 +104,7 @@ pipeline::MultisampleState multisample_state(const MultisampleGroup& group, cons
   return {true, coverage_mask(group, target.samples)};
 }
 
-pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
+pipeline::AssemblyState assembly_state(const State& state, bool colors_matter, const pipeline::StencilState& stencil) {
   const PolygonGroup& polygon = state.polygon;
   pipeline::AssemblyState result;
   if (colors_matter && state.lighting.shade_model == GL_FLAT) result.shade_model = pipeline::ShadeModel::flat;
@@ -106,7 +118,8 @@ pipeline::AssemblyState assembly_state(const State& state, bool colors_matter) {
   if (back_drawn && modes) result.polygon_mode_back = polygon_mode(polygon.back_mode);
   const bool two_sided = colors_matter && state.lighting.enabled && state.lighting.model_two_side;
   const bool faces_differ =
-      front_drawn != back_drawn || (front_drawn && (result.polygon_mode_front != result.polygon_mode_back || two_sided));
+      front_drawn != back_drawn || (front_drawn && (result.polygon_mode_front != result.polygon_mode_back || two_sided ||
+                                                    stencil.front != stencil.back));
   // With the origin at the upper left a polygon shows the same face, though its window coordinates turn the other way.
   const bool clockwise_is_front = (polygon.front_face == GL_CW) != (state.transform.clip_origin == GL_UPPER_LEFT);
   if (faces_differ && clockwise_is_front) result.front_face = pipeline::FrontFace::cw;
@@ -157,6 +170,8 @@ pipeline::PixelRect writable_rect(const State& state, const TargetInfo& target) 
 // earlier one is computed again when that fact changes.
 void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
                        pipeline::DrawState& draw_state) {
+  // The stencil test is one part with the faces that are drawn.
+  if ((dirty & (dirty_raster | dirty_assembly)) != 0 && state.stencil.test_enabled) dirty |= dirty_raster | dirty_assembly;
   const pipeline::RasterState old_raster = draw_state.raster;
   const pipeline::ReportState old_report = draw_state.report;
   draw_state.report = report_state(state.render_mode);
@@ -175,13 +190,16 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   const bool reported = draw_state.report.enabled;
   const bool depth_matters = draw_state.raster.depth.test_enabled || reported;
   if (depth_matters != old_raster.depth.test_enabled) dirty |= dirty_viewport | dirty_assembly;
+  if (draw_state.raster.stencil != old_raster.stencil) dirty |= dirty_assembly;
 
   if (dirty & dirty_textures) {
     draw_state.texturing = colors_matter && !reported ? texturing_state(state) : pipeline::TexturingState();
   }
 
   const pipeline::CullMode old_cull = draw_state.assembly.cull;
-  if (dirty & (dirty_assembly | dirty_lighting)) draw_state.assembly = assembly_state(state, colors_matter);
+  if (dirty & (dirty_assembly | dirty_lighting)) {
+    draw_state.assembly = assembly_state(state, colors_matter, draw_state.raster.stencil);
+  }
   if (dirty & dirty_assembly) {
     draw_state.points = reported ? pipeline::PointState{} : point_state(state.point);
     draw_state.lines = reported ? pipeline::LineState{} : line_state(state.line);
@@ -227,12 +245,28 @@ pipeline::ClearState clear_state(const State& state, const TargetInfo& target, G
     result.depth = true;
     result.clear_depth = state.depth.clear_value;
   }
-  const std::uint32_t stencil_mask = state.stencil.write_mask & target.stencil_mask;
+  const std::uint32_t stencil_mask = state.stencil.front.write_mask & target.stencil_mask;
   if ((mask & GL_STENCIL_BUFFER_BIT) != 0 && stencil_mask != 0) {
     result.stencil = true;
     result.clear_stencil = static_cast<std::uint32_t>(state.stencil.clear_value) & target.stencil_mask;
     result.stencil_write_mask = stencil_mask;
   }
+  if ((mask & GL_ACCUM_BUFFER_BIT) != 0 && target.accumulates) {
+    result.accum = true;
+    result.clear_accum = state.accum.clear_value;
+  }
+  return result;
+}
+
+pipeline::AccumState accum_state(const State& state, const TargetInfo& target, GLenum op, GLfloat value) {
+  constexpr float most = std::numeric_limits<float>::max();
+  pipeline::AccumState result;
+  result.op = accum_op(op);
+  const bool of_sums = op == GL_ADD || op == GL_MULT;
+  const float largest = of_sums ? 1.0f : most;
+  result.value = std::isnan(value) ? 0.0f : std::clamp(value, -largest, largest);
+  result.scissor = writable_rect(state.scissor, target);
+  if (op == GL_RETURN) result.color_write_mask = color_write_mask(state.color_buffer, target);
   return result;
 }
 

@@ -30,6 +30,7 @@ struct TargetInfo {
   std::uint8_t color_channels = 0xF;  ///< those that may be written: none if the draw buffer is GL_NONE
   int samples = 0;  ///< of each pixel; 0 without multisampling
   bool has_depth = true;  ///< false: format.depth, if any, is that of a plane of which only the stencil is used
+  bool accumulates = false;        ///< has an accumulation buffer
 };
 
 /// Brings the parts of `draw_state` that `dirty` names up to date, and those that depend on them. Material parameters
@@ -42,6 +43,9 @@ pipeline::DrawState raster_position_state(const State& state, const TargetInfo& 
 
 /// The pixels that may be written: scissor box, if enabled, and target, intersected [GL1.5 §4.1.2].
 pipeline::PixelRect writable_rect(const State& state, const TargetInfo& target);
+
+/// What glAccum does under this state. `value` may be any float: NaN counts as 0, and what is too large as the largest.
+pipeline::AccumState accum_state(const State& state, const TargetInfo& target, GLenum op, GLfloat value);
 
 /// What glClear of the buffers in `mask` does under this state [GL1.5 §4.2.3].
 pipeline::ClearState clear_state(const State& state, const TargetInfo& target, GLbitfield mask);

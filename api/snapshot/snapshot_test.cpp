@@ -282,7 +282,8 @@ void add_rasterization(std::vector<Parameter>& list) {
                   [](const View& v) {
                     const PolygonGroup& p = v.state.polygon;
                     return v.front() != v.back() || (v.front() && p.front_mode != p.back_mode) ||
-                           (v.front() && v.two_sided());
+                           (v.front() && v.two_sided()) ||
+                           (v.front() && v.back() && v.state.stencil.test_enabled && v.target.stencil_mask != 0);
                   }});
   list.push_back({"cull face",
                   [](State& s, Random& r) {
@@ -436,12 +437,54 @@ void add_logic_op(std::vector<Parameter>& list) {
       {"index logic op", [](State& s, Random&) { s.color_buffer.index_logic_op_enabled ^= true; }, never});
 }
 
+// Every side compares and writes (random_state), so its parameters show where it is tested at all.
+void add_stencil(std::vector<Parameter>& list) {
+  const auto exists = [](const View& v) { return v.target.stencil_mask != 0 && v.state.stencil.test_enabled; };
+  const auto add = [&](const std::string& side, StencilSide StencilGroup::*which, const std::function<bool(const View&)>& used) {
+    list.push_back({side + " func", [which](State& s, Random& r) {
+                      GLenum& now = (s.stencil.*which).func;
+                      now = other(r, now, {GL_EQUAL, GL_LESS, GL_GREATER});
+                    }, used});
+    list.push_back({side + " reference", [which](State& s, Random&) { (s.stencil.*which).reference ^= 1; }, used});
+    list.push_back({side + " compare mask", [which](State& s, Random&) { (s.stencil.*which).compare_mask ^= 8; }, used});
+    list.push_back({side + " write mask", [which](State& s, Random&) { (s.stencil.*which).write_mask ^= 8; }, used});
+    list.push_back({side + " masks beyond the buffer", [which](State& s, Random&) {
+                      (s.stencil.*which).compare_mask ^= 0x100;
+                      (s.stencil.*which).write_mask ^= 0x100;
+                    }, never});
+    list.push_back({side + " fail", [which](State& s, Random& r) {
+                      GLenum& now = (s.stencil.*which).fail;
+                      now = other(r, now, {GL_INVERT, GL_INCR, GL_REPLACE});
+                    }, used});
+  };
+  add("front stencil", &StencilGroup::front, exists);
+  add("back stencil", &StencilGroup::separate_back,
+      [exists](const View& v) { return exists(v) && v.back() && !v.state.stencil.two_side_enabled; });
+  add("two-side stencil", &StencilGroup::two_side_back,
+      [exists](const View& v) { return exists(v) && v.back() && v.state.stencil.two_side_enabled; });
+  list.push_back({"stencil depth fail", [](State& s, Random& r) {
+                    s.stencil.front.depth_fail = other(r, s.stencil.front.depth_fail, {GL_KEEP, GL_ZERO, GL_INCR_WRAP});
+                  },
+                  [exists](const View& v) { return exists(v) && v.depth() && v.state.depth.func != GL_ALWAYS; }});
+  list.push_back({"stencil depth pass", [](State& s, Random& r) {
+                    s.stencil.front.depth_pass = other(r, s.stencil.front.depth_pass, {GL_KEEP, GL_ZERO, GL_DECR});
+                  },
+                  [exists](const View& v) { return exists(v) && !(v.depth() && v.state.depth.func == GL_NEVER); }});
+  list.push_back({"two-side stencil", [](State& s, Random&) { s.stencil.two_side_enabled ^= true; },
+                  [exists](const View& v) { return exists(v) && v.back(); }});
+  list.push_back({"occlusion query", [](State& s, Random&) { s.current_query ^= 1; }, always});
+  list.push_back({"stencil test", [](State& s, Random&) { s.stencil.test_enabled ^= true; },
+                  [](const View& v) { return v.target.stencil_mask != 0; }});
+}
+
 void add_what_no_draw_reads(std::vector<Parameter>& list) {
   list.push_back({"current color", [](State& s, Random& r) { s.current.color = color(r); }, never});
   list.push_back({"current normal", [](State& s, Random& r) { s.current.normal_object.x = number(r); }, never});
   list.push_back({"clear color", [](State& s, Random& r) { s.color_buffer.clear_color = color(r); }, never});
   list.push_back({"clear depth", [](State& s, Random& r) { s.depth.clear_value = number(r); }, never});
-  list.push_back({"stencil", [](State& s, Random&) { s.stencil = {3, 4}; }, never});
+  list.push_back({"clear stencil", [](State& s, Random&) { s.stencil.clear_value = 4; }, never});
+  list.push_back({"clear accum", [](State& s, Random& r) { s.accum.clear_value = color(r); }, never});
+  list.push_back({"active stencil face", [](State& s, Random&) { s.stencil.active_face = GL_BACK; }, never});
   list.push_back({"dither", [](State& s, Random&) { s.color_buffer.dither_enabled ^= true; }, never});
   list.push_back({"multisample", [](State& s, Random&) { s.multisample.coverage_enabled ^= true; }, never});
   list.push_back({"hint", [](State& s, Random&) { s.hint.fog = GL_NICEST; }, never});
@@ -459,6 +502,7 @@ std::vector<Parameter> all_parameters() {
   add_alpha_test(list);
   add_blending(list);
   add_logic_op(list);
+  add_stencil(list);
   add_what_no_draw_reads(list);
   return list;
 }
@@ -469,6 +513,9 @@ State random_state(Random& r, const std::vector<Parameter>& parameters) {
   s.scissor = {coin(r), 5 + pick(r, 9), 6, 20, 21};
   s.lighting.enabled = pick(r, 4) != 0;
   s.depth.test_enabled = coin(r);
+  s.stencil.front = {GL_EQUAL, 4, 0xFF, GL_INVERT, GL_KEEP, GL_KEEP, 0xFF};
+  s.stencil.separate_back = {GL_EQUAL, 8, 0xFF, GL_INVERT, GL_KEEP, GL_KEEP, 0xFF};
+  s.stencil.two_side_back = {GL_EQUAL, 16, 0xFF, GL_INVERT, GL_KEEP, GL_KEEP, 0xFF};
   for (Light& light : s.lighting.lights) {
     light.enabled = coin(r);
     light.ambient = color_or_black(r);
@@ -493,7 +540,7 @@ TargetInfo random_target(Random& r) {
                                               pipeline::ColorFormat::rgba8, pipeline::ColorFormat::rgba32f};
   constexpr pipeline::DepthFormat depths[] = {pipeline::DepthFormat::none, pipeline::DepthFormat::z16,
                                               pipeline::DepthFormat::z24s8, pipeline::DepthFormat::z24s8};
-  return {100, 80, {colors[pick(r, 4)], depths[pick(r, 4)]}, 255};
+  return {100, 80, {colors[pick(r, 4)], depths[pick(r, 4)]}, coin(r) ? 255u : 0u};
 }
 
 TEST(Snapshot, DiffersExactlyWhereThePictureCanShowTheParameter) {
@@ -604,12 +651,48 @@ TEST(ClearState, LeavesOutWhatIsMaskedOrMissing) {
   EXPECT_EQ(all.clear_stencil, 255u);
 
   state.depth.write_enabled = false;
-  state.stencil.write_mask = 0xF00;
+  state.stencil.front.write_mask = 0xF00;
   state.color_buffer.write_enabled = {false, false, false, false};
   const pipeline::ClearState masked = clear_state(state, full, everything);
   EXPECT_FALSE(masked.color || masked.depth || masked.stencil);
   const pipeline::ClearState bare = clear_state(State(), {8, 8, {}, 0}, everything);
   EXPECT_FALSE(bare.color || bare.depth || bare.stencil);
+}
+
+constexpr TargetInfo stencil_target{8, 8, {pipeline::ColorFormat::rgba8, pipeline::DepthFormat::z24s8}, 255};
+
+TEST(StencilSnapshot, IsAbsentWhereItPassesAllAndChangesNothing) {
+  State state;
+  state.stencil.test_enabled = true;
+  EXPECT_EQ(snapshot_of(state, stencil_target), snapshot_of(State(), stencil_target));
+  state.stencil.front.fail = state.stencil.separate_back.fail = GL_INCR;  // nothing fails
+  EXPECT_FALSE(snapshot_of(state, stencil_target).raster.stencil.enabled);
+  state.stencil.front.depth_pass = GL_ZERO;
+  state.stencil.front.write_mask = 0xFF00;
+  EXPECT_FALSE(snapshot_of(state, stencil_target).raster.stencil.enabled);
+}
+
+TEST(StencilSnapshot, ComparesNothingUnderAnEmptyMaskAndClampsTheReference) {
+  State state;
+  state.stencil.test_enabled = true;
+  state.stencil.front = {GL_LESS, 3, 0, GL_REPLACE, GL_KEEP, GL_KEEP, 0xFF};
+  EXPECT_EQ(snapshot_of(state, stencil_target).raster.stencil.front.func, pipeline::CompareFunc::never);
+  state.stencil.front = {GL_EQUAL, 3, 0x100, GL_REPLACE, GL_KEEP, GL_KEEP, 0xFF};
+  EXPECT_EQ(snapshot_of(state, stencil_target).raster.stencil.front, pipeline::StencilFace());
+  for (const auto& [reference, clamped] : {std::pair{300, 255}, std::pair{-7, 0}, std::pair{77, 77}}) {
+    state.stencil.front = {GL_GEQUAL, reference, ~0u, GL_KEEP, GL_KEEP, GL_KEEP, 0xFF};
+    EXPECT_EQ(snapshot_of(state, stencil_target).raster.stencil.front.reference, clamped);
+  }
+}
+
+TEST(AccumSnapshot, BoundsTheValue) {
+  const float infinity = std::numeric_limits<float>::infinity();
+  const State state;
+  EXPECT_EQ(accum_state(state, stencil_target, GL_ADD, 3.0f).value, 1.0f);
+  EXPECT_EQ(accum_state(state, stencil_target, GL_MULT, -infinity).value, -1.0f);
+  EXPECT_EQ(accum_state(state, stencil_target, GL_LOAD, 3.0f).value, 3.0f);
+  EXPECT_EQ(accum_state(state, stencil_target, GL_RETURN, infinity).value, std::numeric_limits<float>::max());
+  EXPECT_EQ(accum_state(state, stencil_target, GL_ACCUM, std::numeric_limits<float>::quiet_NaN()).value, 0.0f);
 }
 
 }  // namespace

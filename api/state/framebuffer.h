@@ -36,11 +36,33 @@ struct DepthGroup {
   bool operator==(const DepthGroup&) const = default;
 };
 
-/// Attribute group STENCIL_BUFFER_BIT: what glClear needs of it.
-struct StencilGroup {
+/// One side's stencil test [GL1.5 §4.1.5].
+struct StencilSide {
+  GLenum func = GL_ALWAYS;
+  GLint reference = 0;  ///< as given: clamped to the stencil buffer's range where it is used
+  GLuint compare_mask = ~0u;
+  GLenum fail = GL_KEEP, depth_fail = GL_KEEP, depth_pass = GL_KEEP;
   GLuint write_mask = ~0u;
+  bool operator==(const StencilSide&) const = default;
+};
+
+/// Attribute group STENCIL_BUFFER_BIT. Two extensions give back faces a test of their own, each with state of its own:
+/// EXT_stencil_two_side, in force while STENCIL_TEST_TWO_SIDE_EXT is enabled, and otherwise ATI_separate_stencil, whose
+/// back side follows all that is set for the front by the plain commands (as in Mesa).
+struct StencilGroup {
+  bool test_enabled = false;
+  bool two_side_enabled = false;
+  GLenum active_face = GL_FRONT;  ///< the side that the plain commands set: FRONT, or BACK (two_side_back)
+  StencilSide front, separate_back, two_side_back;
   GLint clear_value = 0;
+  const StencilSide& back() const { return two_side_enabled ? two_side_back : separate_back; }
   bool operator==(const StencilGroup&) const = default;
+};
+
+/// Attribute group ACCUM_BUFFER_BIT.
+struct AccumGroup {
+  glm::vec4 clear_value{0.0f};  ///< in [-1, 1]
+  bool operator==(const AccumGroup&) const = default;
 };
 
 /// How colours are blended [GL1.5 §4.1.8]; part of attribute group COLOR_BUFFER_BIT.

@@ -60,6 +60,7 @@ struct AttributeGroups {
   ScissorGroup scissor;
   DepthGroup depth;
   StencilGroup stencil;
+  AccumGroup accum;
   ColorBufferGroup color_buffer;
   PixelGroup pixel;
   TextureGroup texture;
@@ -82,6 +83,7 @@ struct State : AttributeGroups, ClientAttributeGroups {
   EvaluatorMaps maps;
   PixelMaps pixel_maps;
   RenderModeState render_mode;
+  GLuint current_query = 0;  ///< the occlusion query being counted, 0: none [GL1.5 §4.1.7]
   bool operator==(const State&) const = default;
 };
 

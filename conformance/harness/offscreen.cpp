@@ -34,7 +34,7 @@ OsmesaFunctions load_osmesa(const std::string& library) {
 
 OffscreenContext::OffscreenContext(const OsmesaFunctions& osmesa, int width_px, int height_px, int depth_bits)
     : osmesa_(osmesa),
-      context_(osmesa.CreateContextExt(GL_RGBA, depth_bits, depth_bits == 24 ? 8 : 0, 0, nullptr)),
+      context_(osmesa.CreateContextExt(GL_RGBA, depth_bits, depth_bits == 24 ? 8 : 0, 16, nullptr)),
       width_px_(width_px),
       height_px_(height_px),
       color_(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 4) {

@@ -25,7 +25,8 @@ OsmesaFunctions load_osmesa(const std::string& library);
 /// A current RGBA8 context and the memory it renders to. Throws std::runtime_error if the library refuses.
 class OffscreenContext {
  public:
-  /// `depth_bits` 0, 16 or 24; with 24 there are 8 bits of stencil as well (with 16 Mesa would give 24).
+  /// `depth_bits` 0, 16 or 24; with 24 there are 8 bits of stencil as well (with 16 Mesa would give 24). There is
+  /// an accumulation buffer.
   OffscreenContext(const OsmesaFunctions& osmesa, int width_px, int height_px, int depth_bits);
   ~OffscreenContext();
   OffscreenContext(const OffscreenContext&) = delete;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "conformance/oracle/blending.h"
+#include "conformance/oracle/stencil.h"
 
 namespace gouraud::oracle {
 namespace {
@@ -140,6 +141,14 @@ void clear_pixel(OraclePixel& pixel, const pipeline::ClearState& state, double d
     pixel.color_unorm8[i] = static_cast<std::uint8_t>(std::nearbyint(pixel.color[i] * 255.0));
     pixel.color_lowest[i] = pixel.color_highest[i] = static_cast<float>(pixel.color[i]);
   }
+  if (state.stencil) {
+    pixel.stencil = static_cast<std::uint8_t>((pixel.stencil & ~state.stencil_write_mask) |
+                                              (state.clear_stencil & state.stencil_write_mask));
+  }
+  for (std::size_t i = 0; state.accum && i < 4; ++i) {
+    pixel.accum[i] = static_cast<double>(state.clear_accum[static_cast<int>(i)]);
+    pixel.accum_lowest[i] = pixel.accum_highest[i] = state.clear_accum[static_cast<int>(i)];
+  }
   if (state.depth) {
     pixel.depth_units = depth_units;
     pixel.depth_stored = pixel.depth_lowest = pixel.depth_highest = round_to_integer(depth_units);
@@ -181,59 +190,72 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
   const auto passes_on = [&](const OraclePixel& pixel) {
     return !tested || passes(state.depth.func, depth.stored, pixel.depth_stored);
   };
+  const pipeline::StencilFace& stencil = fragment.face == front ? state.stencil.front : state.stencil.back;
+  const auto arrives = [&](const OraclePixel& pixel) { return !state.stencil.enabled || passes_stencil(stencil, pixel); };
+  const auto outcome = [&](const Fragment& written_fragment, OraclePixel pixel, bool alpha_passes, bool depth_passes) {
+    if (!alpha_passes) return pixel;
+    const bool arrived = arrives(pixel);
+    if (state.stencil.enabled) update_stencil(stencil, arrived, depth_passes, pixel);
+    return arrived && depth_passes ? written(pixel, state, written_fragment, depth) : pixel;
+  };
   OraclePixel& pixel = picture.pixels[index];
-  const bool passed = alpha.passes && passes_on(pixel);
   // A smooth primitive's faintest fragments leave a pixel as it is, whatever it is.
   const bool is_faint = fragment.coverage < 1 && state.blend.enabled && std::nearbyint(fragment.color[3] * 255.0) == 0;
-  if (passed && !is_faint) ++picture.fragments_written[index];
+  const bool writes = !is_faint && (state.color_write_mask != 0 || (tested && state.depth.write_enabled));
+  if (writes && alpha.passes && arrives(pixel) && passes_on(pixel)) ++picture.fragments_written[index];
   const std::vector<Fragment> others = other_coverages(state, fragment);
+  const auto hangs_on_depth = [&](const OraclePixel& content) {
+    return tested && arrives(content) && is_ambiguous(state.depth.func, depth, content);
+  };
 
   // The usual case: one content, one outcome.
   const bool only_one = picture.alternatives.empty() || !picture.alternatives.contains(index);
-  if (only_one && others.empty() && !alpha.ambiguous && !(tested && is_ambiguous(state.depth.func, depth, pixel))) {
-    if (passed) pixel = written(pixel, state, fragment, depth);
+  if (only_one && others.empty() && !alpha.ambiguous && !hangs_on_depth(pixel)) {
+    pixel = outcome(fragment, pixel, alpha.passes, passes_on(pixel));
     return;
   }
 
   // The outcomes by stored values first, so that `max_alternatives` cuts off the less likely ones.
   std::vector<OraclePixel> outcomes, less_likely;
   for (const OraclePixel& content : possible_contents(picture, index)) {
-    const OraclePixel after = written(content, state, fragment, depth);
-    const bool depth_passes = passes_on(content), likely_pass = alpha.passes && depth_passes;
-    outcomes.push_back(likely_pass ? after : content);
-    for (const Fragment& other : others) {
-      picture.flags[index] |= pixel_depth_ambiguous;
-      if (likely_pass) less_likely.push_back(written(content, state, other, depth));
-    }
-    const bool turns = alpha.ambiguous && depth_passes;
-    if (turns || (tested && is_ambiguous(state.depth.func, depth, content))) {
-      picture.flags[index] |= pixel_depth_ambiguous;
-      less_likely.push_back(likely_pass ? content : after);
-    }
+    const bool depth_passes = passes_on(content);
+    outcomes.push_back(outcome(fragment, content, alpha.passes, depth_passes));
+    for (const Fragment& other : others) less_likely.push_back(outcome(other, content, alpha.passes, depth_passes));
+    if (alpha.ambiguous) less_likely.push_back(outcome(fragment, content, !alpha.passes, depth_passes));
+    if (hangs_on_depth(content)) less_likely.push_back(outcome(fragment, content, true, !depth_passes));
   }
+  if (!less_likely.empty()) picture.flags[index] |= pixel_depth_ambiguous;
   outcomes.insert(outcomes.end(), less_likely.begin(), less_likely.end());
   store(picture, index, outcomes);
 }
 
-void clear_picture(OraclePicture& picture, const pipeline::ClearState& state) {
-  const double depth_units = state.clear_depth * depth_units_of(picture.depth_bits);
-  const pipeline::PixelRect& box = state.scissor;
+void change_pixels(OraclePicture& picture, const pipeline::PixelRect& box, const std::function<void(OraclePixel&)>& change) {
   const int x0 = std::max(box.x0, 0), x1 = std::min(box.x1, picture.width_px);
   const int y0 = std::max(box.y0, 0), y1 = std::min(box.y1, picture.height_px);
   for (int y = y0; y < y1; ++y) {
     for (int x = x0; x < x1; ++x) {
       const std::size_t index = picture.index(x, y);
-      if (picture.alternatives.contains(index)) {
-        std::vector<OraclePixel> contents = possible_contents(picture, index);
-        for (OraclePixel& pixel : contents) clear_pixel(pixel, state, depth_units);
-        store(picture, index, contents);
-      } else {
-        clear_pixel(picture.pixels[index], state, depth_units);
+      if (!picture.alternatives.contains(index)) {
+        change(picture.pixels[index]);
+        continue;
       }
-      if (state.color && state.color_write_mask == 0xF) {
-        picture.flags[index] = picture.alternatives.contains(index) ? pixel_depth_ambiguous : 0;
-        picture.fragments_written[index] = 0;
-      }
+      std::vector<OraclePixel> contents = possible_contents(picture, index);
+      for (OraclePixel& pixel : contents) change(pixel);
+      store(picture, index, contents);
+    }
+  }
+}
+
+void clear_picture(OraclePicture& picture, const pipeline::ClearState& state) {
+  const double depth_units = state.clear_depth * depth_units_of(picture.depth_bits);
+  const pipeline::PixelRect& box = state.scissor;
+  change_pixels(picture, box, [&](OraclePixel& pixel) { clear_pixel(pixel, state, depth_units); });
+  if (!state.color || state.color_write_mask != 0xF) return;
+  for (int y = std::max(box.y0, 0); y < std::min(box.y1, picture.height_px); ++y) {
+    for (int x = std::max(box.x0, 0); x < std::min(box.x1, picture.width_px); ++x) {
+      const std::size_t index = picture.index(x, y);
+      picture.flags[index] = picture.alternatives.contains(index) ? pixel_depth_ambiguous : 0;
+      picture.fragments_written[index] = 0;
     }
   }
 }

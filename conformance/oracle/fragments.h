@@ -1,8 +1,10 @@
-// Takes fragments and clears, gives the picture [GL1.5 §4.1.2, §4.1.4, §4.1.6, §4.2.2, §4.2.3].
+// Takes fragments and clears, gives the picture [GL1.5 §4.1.2, §4.1.4 to §4.1.6, §4.2.2, §4.2.3].
 // Keeps beside every ideal value the stored integer, because later tests work on stored values. Where a depth test
 // hangs on less than the legal error (OracleOptions::depth_slack_units), both outcomes are kept as possible contents of
 // the pixel; fragments of exactly the same ideal depth are equal, as repeated drawing must be [GL1.5 App. A].
 #pragma once
+
+#include <functional>
 
 #include "conformance/oracle/oracle.h"
 #include "conformance/oracle/vertex.h"
@@ -19,6 +21,7 @@ struct Fragment {
   bool extrapolated = false;
   double coverage = 1;  ///< of a smooth primitive: multiplies alpha [GL1.5 §3.11]
   double coverage_slack = 0;  ///< how far a conforming coverage may be from it
+  Face face = front;  ///< of the polygon that it is of; points and lines of their own are front
 };
 
 /// The largest depth that a buffer of so many bits can hold; 0 for no buffer.
@@ -27,9 +30,12 @@ double depth_units_of(int depth_bits);
 /// A new picture: everything zero.
 OraclePicture make_picture(int width_px, int height_px, int depth_bits);
 
-/// Scissor, alpha and depth test, blending, masks and write.
+/// Scissor, alpha, stencil and depth test, blending, masks and write.
 void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& fragment);
 
 void clear_picture(OraclePicture& picture, const pipeline::ClearState& state);
+
+/// Changes every possible content of the pixels inside `box`.
+void change_pixels(OraclePicture& picture, const pipeline::PixelRect& box, const std::function<void(OraclePixel&)>& change);
 
 }  // namespace gouraud::oracle

@@ -87,6 +87,7 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
   const double t = squared_length > 0 ? ((x + 0.5 - a.x) * dx + (y + 0.5 - a.y) * dy) / squared_length : 0.0;
 
   Fragment fragment;
+  fragment.face = sink.face;
   fragment.x = x;
   fragment.y = y;
   fragment.coverage = coverage;
@@ -213,6 +214,7 @@ std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits) {
 
 void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px) {
   Fragment fragment;
+  fragment.face = sink.face;
   const std::array<VertexShare, 1> shares{VertexShare{&vertex.colors, 1, 0, 0}};
   set_color(shade(sink, color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors), shares), fragment);
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = vertex.z + sink.depth_offset;

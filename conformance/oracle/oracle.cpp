@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conformance/oracle/accumulation.h"
 #include "conformance/oracle/assembly.h"
 #include "conformance/oracle/clipping.h"
 #include "conformance/oracle/fragments.h"
@@ -280,6 +281,10 @@ void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch&
 
 void Oracle::clear(const pipeline::ClearState& state) {
   clear_picture(picture_, state);
+}
+
+void Oracle::accumulate(const pipeline::AccumState& state) {
+  accumulate_picture(picture_, state);
 }
 
 std::size_t OraclePicture::count(std::uint8_t flag_bits) const {

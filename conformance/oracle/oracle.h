@@ -41,6 +41,10 @@ struct OraclePixel {
   double depth_units = 0.0;        ///< ideal depth * (2^bits - 1), not quantised; 0 without a depth buffer
   std::uint32_t depth_stored = 0;  ///< round to nearest even of depth_units
   std::uint32_t depth_lowest = 0, depth_highest = 0;  ///< what a conforming implementation may have stored
+  std::uint8_t stencil = 0;
+  /// The accumulation buffer's sums, RGBA in [-1, 1], and their bounds as of `color`.
+  std::array<double, 4> accum{};
+  std::array<float, 4> accum_lowest{}, accum_highest{};
   bool operator==(const OraclePixel&) const = default;
 };
 
@@ -68,7 +72,7 @@ struct OraclePicture {
   int depth_bits = 0;               ///< 0 (no depth buffer), 16 or 24
   std::vector<OraclePixel> pixels;  ///< ambiguous tests decided by the rounded ideal values
   std::vector<std::uint8_t> flags;  ///< PixelFlags
-  /// Fragments that passed all tests since the pixel's colour was last cleared.
+  /// Fragments that passed all tests, and wrote colour or depth, since the pixel's colour was last cleared.
   std::vector<std::int32_t> fragments_written;
   /// Other possible contents, by pixel index, none equal to another or to `pixels`.
   std::unordered_map<std::size_t, std::vector<OraclePixel>> alternatives;
@@ -106,6 +110,7 @@ class Oracle : public pipeline::DrawObserver {
   void target_changed(int width_px, int height_px, int depth_bits, int stencil_bits) override;
   void draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) override;
   void clear(const pipeline::ClearState& state) override;
+  void accumulate(const pipeline::AccumState& state) override;
 
   const OraclePicture& picture() const { return picture_; }
 

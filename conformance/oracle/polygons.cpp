@@ -173,6 +173,7 @@ bool is_kept(const FragmentSink& sink, int x, int y) {
 void make_fragment(const FragmentSink& sink, const Interpolation& values, int x, int y) {
   const Vector3 weight = values.barycentric(x + 0.5, y + 0.5);
   Fragment fragment;
+  fragment.face = sink.face;
   fragment.x = x;
   fragment.y = y;
   set_color(values.shaded(weight), fragment);
@@ -201,6 +202,7 @@ void rasterize_smooth(const FragmentSink& sink, const std::array<WindowVertex, 3
       const Place at = centroid_of(shared);
       const Vector3 weight = values.barycentric(at.x, at.y);
       Fragment fragment;
+      fragment.face = sink.face;
       fragment.x = x;
       fragment.y = y;
       fragment.coverage = area;

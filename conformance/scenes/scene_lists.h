@@ -38,11 +38,13 @@ SceneList texture_image_scenes();    // §3.8.1
 SceneList color_sum_scenes();        // §3.9
 SceneList scissor_scenes();          // §4.1.2
 SceneList alpha_test_scenes();       // §4.1.4
+SceneList stencil_scenes();          // §4.1.5
 SceneList depth_scenes();            // §4.1.6
 SceneList blending_scenes();         // §4.1.8
 SceneList logic_op_scenes();         // §4.1.10
 SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
 SceneList evaluator_scenes();        // §5.1
+SceneList buffer_scenes();           // §4.2.1, §4.2.3, §4.2.4
 SceneList display_list_scenes();     // §5.4
 
 }  // namespace gouraud::conformance

@@ -14,6 +14,7 @@ class DrawObserver {
   virtual void target_changed(int width_px, int height_px, int depth_bits, int stencil_bits) = 0;
   virtual void draw(const DrawState& state, const VertexBatch& batch) = 0;
   virtual void clear(const ClearState& state) = 0;
+  virtual void accumulate(const AccumState&) {}
 };
 
 }  // namespace gouraud::pipeline

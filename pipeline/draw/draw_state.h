@@ -195,6 +195,29 @@ struct DepthState {
   bool operator==(const DepthState&) const = default;
 };
 
+/// [GL1.5 §4.1.5], with EXT_stencil_wrap.
+enum class StencilOp : std::uint8_t { keep, zero, replace, increment, decrement, invert, increment_wrap, decrement_wrap };
+
+/// The stencil test of fragments of one facing. What cannot have an effect is initial: operations of outcomes that cannot
+/// happen or whose bits are masked, and bits of reference and masks that nothing reads.
+struct StencilFace {
+  CompareFunc func = CompareFunc::always;
+  std::uint8_t reference = 0, compare_mask = 0xFF, write_mask = 0xFF;
+  StencilOp fail = StencilOp::keep, depth_fail = StencilOp::keep, depth_pass = StencilOp::keep;
+  bool writes() const { return fail != StencilOp::keep || depth_fail != StencilOp::keep || depth_pass != StencilOp::keep; }
+  bool operator==(const StencilFace&) const = default;
+};
+
+/// [GL1.5 §4.1.5]. If !enabled all is initial; a test that passes all and changes nothing is not enabled, nor is one
+/// without a stencil buffer. `back` is of polygons that face away (EXT_stencil_two_side); it equals `front` if there is
+/// one test for both faces, or if back faces are culled.
+struct StencilState {
+  bool enabled = false;
+  StencilFace front{}, back{};
+  bool writes() const { return front.writes() || back.writes(); }
+  bool operator==(const StencilState&) const = default;
+};
+
 /// [GL1.5 §4.1.4]. If !enabled, or if the function is `never`, the reference is 0; `always` is not enabled.
 struct AlphaTestState {
   bool enabled = false;
@@ -254,6 +277,9 @@ struct RasterState {
   LogicOp logic_op = LogicOp::copy;
   FogState fog{};
   PolygonStippleState polygon_stipple{};  ///< of filled polygons; not of lines, points and pixel images
+  StencilState stencil{};
+  /// An occlusion query counts the fragments that pass the depth test [GL1.5 §4.1.7].
+  bool counts_samples = false;
   bool operator==(const RasterState&) const = default;
 
   /// Whether fragments need their colour: for the target or for a test.

@@ -14,6 +14,8 @@
 #include "pipeline/fragment/coverage.h"
 #include "pipeline/fragment/depth.h"
 #include "pipeline/fragment/polygon_stipple.h"
+#include "pipeline/fragment/sample_count.h"
+#include "pipeline/fragment/stencil.h"
 #include "pipeline/fragment/varyings.h"
 #include "pipeline/geometry/texture_coordinates.h"
 #include "pipeline/texture/texture_pass.h"
@@ -71,6 +73,21 @@ std::string describe_terms(const BlendTerms& terms) {
   return text.append(" (").append(name(terms.source)).append(", ").append(name(terms.destination)).append(")");
 }
 
+std::string describe_stencil_face(const StencilFace& face) {
+  constexpr std::array<std::string_view, 8> operations{"keep",   "zero",   "replace",        "increment",
+                                                       "decrement", "invert", "increment wrap", "decrement wrap"};
+  const auto name = [&](StencilOp op) { return operations[static_cast<std::size_t>(op)]; };
+  std::string text(compare_names[static_cast<std::size_t>(face.func)]);
+  if (!face.writes()) return text;
+  return text.append(" (").append(name(face.fail)).append(", ").append(name(face.depth_fail)).append(", ")
+      .append(name(face.depth_pass)).append(")");
+}
+
+std::string describe_stencil(const StencilState& stencil) {
+  if (stencil.front == stencil.back) return describe_stencil_face(stencil.front);
+  return "front " + describe_stencil_face(stencil.front) + ", back " + describe_stencil_face(stencil.back);
+}
+
 std::string describe_blending(const BlendState& blend) {
   if (blend.rgb == blend.alpha) return describe_terms(blend.rgb);
   return "color " + describe_terms(blend.rgb) + ", alpha " + describe_terms(blend.alpha);
@@ -118,7 +135,14 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
     shade();
     plan.fragment.add(alpha_test_pass(target.color));
   }
-  if (plan.depth) plan.fragment.add(depth_test_pass(state.raster.depth.func, target.depth));
+  const FragmentPass depth_test = plan.depth ? depth_test_pass(state.raster.depth.func, target.depth) : nullptr;
+  if (plan.stencil) {
+    plan.fragment.add(stencil_pass(target.depth));
+    plan.fragment.depth_in_stencil = depth_test;
+  } else if (plan.depth) {
+    plan.fragment.add(depth_test);
+  }
+  if (plan.counts_samples) plan.fragment.add(sample_count_pass());
   if (!plan.writes_color) return;
   const bool keeps_colors = plan.blends || plan.coverage || plan.alpha_test || has_varyings;  // between interpolation and write
   if (keeps_colors && !plan.alpha_test) shade();
@@ -189,13 +213,17 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
 
   // What can reach the framebuffer?
   const bool tests_depth = state.raster.depth.test_enabled && target.depth != DepthFormat::none;
+  const bool none_passes = tests_depth && state.raster.depth.func == CompareFunc::never;
   const bool writes_depth = tests_depth && state.raster.depth.write_enabled;
   const bool writes_color = target.color != ColorFormat::none && state.raster.color_write_mask != 0 &&
-                            state.raster.logic_op != LogicOp::noop;
+                            state.raster.logic_op != LogicOp::noop && !none_passes;
   plan.alpha_test = state.raster.alpha_test.enabled;
-  const bool all_fail = (tests_depth && state.raster.depth.func == CompareFunc::never) ||
-                        (plan.alpha_test && state.raster.alpha_test.func == CompareFunc::never);
-  plan.draws = (writes_color || writes_depth) && !all_fail && !state.raster.scissor.empty();
+  plan.stencil = state.raster.stencil.enabled;
+  plan.writes_stencil = plan.stencil && state.raster.stencil.writes();
+  plan.counts_samples = state.raster.counts_samples && !none_passes;
+  const bool none_arrives =
+      (plan.alpha_test && state.raster.alpha_test.func == CompareFunc::never) || state.raster.scissor.empty();
+  plan.draws = (writes_color || (writes_depth && !none_passes) || plan.writes_stencil || plan.counts_samples) && !none_arrives;
   if (!plan.draws) return {};
 
   // Which passes does that take?
@@ -249,11 +277,13 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   }
   if (plan.coverage) line("coverage", "", "§3.11");
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
+  if (plan.stencil) line("stencil test", describe_stencil(state.raster.stencil), "§4.1.5");
   if (plan.depth) {
     std::string detail(compare_names[static_cast<std::size_t>(state.raster.depth.func)]);
     if (state.raster.depth.write_enabled) detail += ", write";
     line("depth test", detail, "§4.1.6");
   }
+  if (plan.counts_samples) line("count samples", "", "§4.1.7");
   if (plan.blends && state.raster.blend.enabled) line("blend", describe_blending(state.raster.blend), "§4.1.8");
   if (plan.blends && !state.raster.blend.enabled) {
     line("logical operation", logic_op_names[static_cast<std::size_t>(state.raster.logic_op)], "§4.1.10");

@@ -38,6 +38,11 @@ struct Plan {
   bool vertex_colors = false;  ///< without lighting: clamp the current colours
   bool secondary_vertex_colors = false;  ///< without lighting: and the secondary ones
 
+  // What becomes of fragments besides.
+  bool stencil = false;
+  bool writes_stencil = false;
+  bool counts_samples = false;
+
   // What is interpolated.
   bool colors = false;
   bool depth = false;

@@ -204,5 +204,37 @@ TEST(Plan, OfPolygonsThatAreNotFilledNeedsEdgeFlags) {
   EXPECT_NE(make_plan(state, window).vertex_demand & attribute_edge_flag, 0u);
 }
 
+TEST(Plan, RunsTheDepthTestInsideTheStencilTest) {
+  DrawState state = unlit();
+  state.raster.color_write_mask = 0;
+  state.raster.depth = {true, false, CompareFunc::less};
+  state.raster.stencil.enabled = true;
+  state.raster.stencil.front = state.raster.stencil.back = {.func = CompareFunc::equal, .depth_fail = StencilOp::increment};
+  EXPECT_EQ(stages(state), (Stages{"transform to clip space", "clip and project", "rasterize", "stencil test", "depth test"}));
+  const Plan plan = make_plan(state, window);
+  EXPECT_EQ(plan.fragment.count, 1);
+  EXPECT_NE(plan.fragment.depth_in_stencil, nullptr);
+  EXPECT_NE(describe(plan, state, window).find("equal (keep, increment, keep)"), std::string::npos);
+}
+
+TEST(Plan, OfDepthsThatAllFailDrawsForTheStencilBufferAlone) {
+  DrawState state = unlit();
+  state.raster.depth = {true, false, CompareFunc::never};
+  EXPECT_FALSE(make_plan(state, window).draws);
+  state.raster.stencil.enabled = true;
+  state.raster.stencil.front = state.raster.stencil.back = {.depth_fail = StencilOp::zero};
+  const Plan plan = make_plan(state, window);
+  EXPECT_TRUE(plan.draws && plan.writes_stencil);
+  EXPECT_FALSE(plan.writes_color || plan.colors);
+}
+
+TEST(Plan, CountsSamplesThatNobodySees) {
+  DrawState state = unlit();
+  state.raster.color_write_mask = 0;
+  EXPECT_FALSE(make_plan(state, window).draws);
+  state.raster.counts_samples = true;
+  EXPECT_EQ(stages(state), (Stages{"transform to clip space", "clip and project", "rasterize", "count samples"}));
+}
+
 }  // namespace
 }  // namespace gouraud::pipeline

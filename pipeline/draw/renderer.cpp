@@ -12,6 +12,7 @@
 #include <sched.h>
 #endif
 
+#include "pipeline/draw/sample_counter.h"
 #include "pipeline/draw/tiles.h"
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/color_write.h"
@@ -38,6 +39,11 @@ double depth_scale(DepthFormat format) {
     case DepthFormat::z32f: break;
   }
   return 1.0;
+}
+
+/// Stencil values other than zero are about to be stored.
+void note_stencil(const Framebuffer& target) {
+  if (target.stencil_bits > 0 && target.depth_format == DepthFormat::z24s8) target.depth.use_stencil();
 }
 
 SetupState make_setup_state(const DrawState& state, const Plan& plan, const Framebuffer& target) {
@@ -111,6 +117,7 @@ struct Renderer::Implementation {
 
   TileBins bins;
   std::vector<std::shared_ptr<const void>> kept;  ///< until the bins have run
+  std::shared_ptr<SampleCounter> samples;
   DrawObserver* observer = nullptr;
   PrimitiveReceiver* receiver = nullptr;
   bool dirty = false;
@@ -140,6 +147,11 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
     binding.texturing = &textures.state;
     binding.texture_units = &textures.units;
   }
+  if (plan.counts_samples) {
+    binding.samples = samples.get();
+    if (kept.empty() || kept.back() != samples) kept.push_back(samples);
+  }
+  if (plan.writes_stencil) note_stencil(*bins.target());
   setup = bins.intern(make_setup_state(state, plan, *bins.target()), binding);
   viewport = state.viewport;
   mode_front = state.assembly.polygon_mode_front;
@@ -208,7 +220,7 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
   const PolygonMode mode = front ? mode_front : mode_back;
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
   flush_triangles();
-  const bool back = setup->two_sided && !front;
+  const bool back = !front;
   const bool offset = mode == PolygonMode::line ? setup->polygons.offset_line : setup->polygons.offset_point;
   const double depth_offset = offset ? pipeline::depth_offset(*setup, vertices, triangle) : 0.0;
   if (!triangle.continues) stipple_count = 0;
@@ -441,10 +453,7 @@ void Renderer::clear(const ClearState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->clear(state);
   implementation_->dirty = true;
-  const bool stencil_in_depth = target()->stencil_bits > 0 && target()->depth_format == DepthFormat::z24s8;
-  if (state.stencil && stencil_in_depth && (state.clear_stencil & state.stencil_write_mask) != 0) {
-    target()->depth.use_stencil();
-  }
+  if (state.stencil && (state.clear_stencil & state.stencil_write_mask) != 0) note_stencil(*target());
   implementation_->bins.add_clear(state);
   if (implementation_->bins.full()) implementation_->run_bins();
 }
@@ -453,6 +462,16 @@ void Renderer::keep(std::shared_ptr<const void> resource) {
   auto& kept = implementation_->kept;
   if (kept.empty() || kept.back() != resource) kept.push_back(std::move(resource));
 }
+
+void Renderer::accumulate(const AccumState& state) {
+  if (target() == nullptr) return;
+  if (implementation_->observer != nullptr) implementation_->observer->accumulate(state);
+  implementation_->dirty = true;
+  implementation_->bins.add_accum(state);
+  if (implementation_->bins.full()) implementation_->run_bins();
+}
+
+void Renderer::count_samples(std::shared_ptr<SampleCounter> counter) { implementation_->samples = std::move(counter); }
 
 void Renderer::finish() { implementation_->run_bins(); }
 

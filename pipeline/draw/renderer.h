@@ -28,6 +28,8 @@ struct ProcessedVertex {
   glm::vec4 color{0.0f}, specular{0.0f};  ///< of the front face, clamped; specular is black unless it is separate
 };
 
+class SampleCounter;  // pipeline/draw/sample_counter.h
+
 class Renderer {
  public:
   /// `thread_count` >= 1 counts the calling thread: with 1 no thread is ever made.
@@ -44,6 +46,10 @@ class Renderer {
   /// Draws the batch's primitives. `plan` is make_plan(state, target format) and may be shared by draws of equal state.
   void draw(const DrawState& state, const Plan& plan, const VertexBatch& batch);
   void clear(const ClearState& state);
+  /// Needs a target with an accumulation buffer [GL1.5 §4.2.4].
+  void accumulate(const AccumState& state);
+  /// Draws whose state counts samples add to this counter from now on. Null: there are none.
+  void count_samples(std::shared_ptr<SampleCounter> counter);
   /// The batch's first vertex through the vertex stages of a reporting plan; draws nothing.
   ProcessedVertex process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch);
 

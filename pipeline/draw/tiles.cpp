@@ -9,6 +9,7 @@
 #include <sys/mman.h>
 #endif
 
+#include "pipeline/framebuffer/accumulation.h"
 #include "pipeline/framebuffer/clear.h"
 #include "pipeline/raster/smooth.h"
 
@@ -238,18 +239,24 @@ void TileBins::add_pixels(const PrimitiveRecord& record, std::span<const PixelPo
   flush_block_list(record, tile);
 }
 
-void TileBins::add_clear(const ClearState& state) {
-  const ClearState& kept = clears_.emplace_back(state);
-  const PixelRect& box = state.scissor;
+void TileBins::add_to_tiles(const PixelRect& box, const Entry& entry) {
   if (box.empty()) return;
   for (int sample = 0; sample < target_->samples; ++sample) {
     const std::int32_t first = sample * target_->tile_count();
     for (std::int32_t y = box.y0 / tile_size; y <= (box.y1 - 1) / tile_size; ++y) {
       for (std::int32_t x = box.x0 / tile_size; x <= (box.x1 - 1) / tile_size; ++x) {
-        add_to_bin(first + y * target_->tiles_x + x, {&kept, nullptr, 0, EntryKind::clear});
+        add_to_bin(first + y * target_->tiles_x + x, entry);
       }
     }
   }
+}
+
+void TileBins::add_clear(const ClearState& state) {
+  add_to_tiles(state.scissor, {&clears_.emplace_back(state), nullptr, 0, EntryKind::clear});
+}
+
+void TileBins::add_accum(const AccumState& state) {
+  add_to_tiles(state.scissor, {&accums_.emplace_back(state), nullptr, 0, EntryKind::accum});
 }
 
 bool TileBins::full() const {
@@ -298,14 +305,15 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
   };
   for (std::size_t i = 0; i < std::min(prefetch_distance, bin.size()); ++i) prefetch(bin[i]);
   TileTarget pixels;
-  bool touched = false;  // `pixels` is valid: no clear since
+  bool touched = false;  // `pixels` is valid: no clear since, no accumulation
   for (std::size_t i = 0; i < bin.size();) {
     const Entry& entry = bin[i];
     std::size_t done = 1;
-    const bool clears = entry.kind == EntryKind::clear;
-    if (!clears && !touched) pixels = tile_target(target, tile_x, tile_y);
-    touched = !clears;
+    const bool draws = entry.kind != EntryKind::clear && entry.kind != EntryKind::accum;
+    if (draws && !touched) pixels = tile_target(target, tile_x, tile_y);
+    touched = draws;
     switch (entry.kind) {
+      case EntryKind::accum: accumulate_tile(target, tile, *static_cast<const AccumState*>(entry.what)); break;
       case EntryKind::clear: clear_tile(target, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
       case EntryKind::line: {
@@ -346,6 +354,7 @@ void TileBins::run() {
   texturings_.clear();
   setups_.clear();
   clears_.clear();
+  accums_.clear();
   arena_.reset();
 }
 

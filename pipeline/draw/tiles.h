@@ -76,6 +76,7 @@ class TileBins {
   /// Fragments at these pixels, each once; those outside `scissor` are left out.
   void add_pixels(const PrimitiveRecord& record, std::span<const PixelPosition> pixels, const PixelRect& scissor);
   void add_clear(const ClearState& state);
+  void add_accum(const AccumState& state);
 
   bool pending() const { return !touched_.empty(); }
   /// True when so much waits that it should be rasterized now.
@@ -85,13 +86,14 @@ class TileBins {
 
  private:
   /// A small triangle waits for its setup by the tile, a polygon has been set up because many tiles share it.
-  enum class EntryKind : std::uint8_t { triangle, line, polygon, smooth, points, blocks, clear };
+  enum class EntryKind : std::uint8_t { triangle, line, polygon, smooth, points, blocks, clear, accum };
   struct Entry {
-    const void* what = nullptr;  ///< WaitingTriangle, WaitingLine, PointChunk, ClearState, or the others' PrimitiveRecord
+    const void* what = nullptr;  ///< WaitingTriangle, WaitingLine, PointChunk, ClearState, AccumState, or the others' PrimitiveRecord
     const BlockMask* blocks = nullptr;
     std::int32_t block_count = 0;
     EntryKind kind = EntryKind::polygon;
   };
+  void add_to_tiles(const PixelRect& box, const Entry& entry);
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);
   void add(std::int32_t tile, const Entry& entry) { add_to_bin(first_bin_ + tile, entry); }
   void add_to_bin(std::int32_t bin_index, const Entry& entry);
@@ -110,6 +112,7 @@ class TileBins {
   std::deque<InternedTextures> texturings_;
   std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
+  std::deque<AccumState> accums_;
   std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of each sample, sample after sample
   std::vector<std::int32_t> touched_;  ///< bins with entries
   std::size_t entry_count_ = 0;

@@ -152,6 +152,9 @@ void depth_test(FragmentBlock& block, const TileTarget& target) {
   block.coverage = test_lanes<Format, Func, typename Format::Exact, false>(block, target);
 }
 
+/// `never`: where the stencil buffer learns of it.
+void reject_all(FragmentBlock& block, const TileTarget&) { block.coverage = 0; }
+
 template <class Format>
 FragmentPass pass_for(CompareFunc func) {
   switch (func) {
@@ -161,8 +164,8 @@ FragmentPass pass_for(CompareFunc func) {
     case CompareFunc::gequal: return depth_test<Format, Gequal>;
     case CompareFunc::equal: return depth_test<Format, Equal>;
     case CompareFunc::notequal: return depth_test<Format, Notequal>;
-    case CompareFunc::always:
-    case CompareFunc::never: break;
+    case CompareFunc::never: return reject_all;
+    case CompareFunc::always: break;
   }
   return depth_test<Format, Always>;
 }

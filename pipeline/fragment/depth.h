@@ -7,8 +7,8 @@
 
 namespace gouraud::pipeline {
 
-/// The pass for this test on a buffer of this format, for the instruction set in use. The test must be enabled and its
-/// function not `never`; the format not `none`. Whether depth is written the pass reads from the primitive's binding.
+/// The pass for this test on a buffer of this format, for the instruction set in use. The test must be enabled, the
+/// format not `none`. Whether depth is written the pass reads from the primitive's binding.
 ///
 /// Fixed-point depth is compared as integers: round to nearest, ties to even, of z * (2^bits - 1) (MESA-RULES 4.3).
 FragmentPass depth_test_pass(CompareFunc func, DepthFormat format);

@@ -68,8 +68,8 @@ struct AssembledTriangle {
   std::uint8_t edges = 7;
   bool continues = false;  ///< another part of the same polygon came right before
 };
-/// For a line or point made from a polygon (polygon mode), `back` selects the back-facing colours and
-/// `depth_offset` is the polygon's, in units of the depth buffer.
+/// A line or point made from a polygon (polygon mode) that faces away is `back`: it takes the back side's colours, if
+/// lighting is two-sided, and its stencil test. `depth_offset` is the polygon's, in units of the depth buffer.
 struct AssembledLine {
   std::array<std::uint16_t, 2> vertex{};
   std::uint16_t provoking = 0;

@@ -43,6 +43,8 @@ struct FragmentPasses {
   static constexpr int max_passes = 16;
   std::array<FragmentPass, max_passes> pass{};
   std::int32_t count = 0;
+  /// The depth test that the stencil pass runs, where there is one of both.
+  FragmentPass depth_in_stencil = nullptr;
 
   void add(FragmentPass next) { pass[static_cast<std::size_t>(count++)] = next; }
   bool operator==(const FragmentPasses&) const = default;

@@ -16,9 +16,10 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
 
-PrimitiveRecord& new_record(const SetupState& state, void* memory) {
+PrimitiveRecord& new_record(const SetupState& state, void* memory, bool back = false) {
   auto& record = state.colors ? (new (memory) ColoredPrimitive)->record : *new (memory) PrimitiveRecord;
   record.binding = state.binding;
+  record.back = back;
   return record;
 }
 
@@ -102,7 +103,9 @@ PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVerti
                         {varyings[0].data(), varyings[1].data(), varyings[1].data()}, count, out);
     out.clamp = out.perspective;  // as colors, above
   }
-  return write_line_record(state, v0, v1, colors_of_line(state, vertices, line), line.depth_offset, memory);
+  PrimitiveRecord& record = write_line_record(state, v0, v1, colors_of_line(state, vertices, line), line.depth_offset, memory);
+  record.back = line.back;
+  return record;
 }
 
 struct SnappedLine {
@@ -116,7 +119,7 @@ SnappedLine snapped(const SetupState& state, const WindowVertex& v0, const Windo
 PrimitiveRecord& write_point_record(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point,
                                     void* memory) {
   const WindowVertex& vertex = vertices.window[point.vertex];
-  PrimitiveRecord& record = new_record(state, memory);
+  PrimitiveRecord& record = new_record(state, memory, point.back);
   const std::array<ShadedVertex, 3> shaded{ShadedVertex{&vertex, {}}, ShadedVertex{&vertex, {}}, ShadedVertex{&vertex, {}}};
   record.depth = make_depth_plane({}, shaded, state.targets);
   offset_depth(point.depth_offset, state.targets, record.depth);
@@ -214,12 +217,14 @@ LinePixels select_line(const SetupState& state, const ProcessedVertices& vertice
   out.y0 = static_cast<std::int16_t>(box.y0);
   out.x1 = static_cast<std::int16_t>(box.x1);
   out.y1 = static_cast<std::int16_t>(box.y1);
+  out.back = line.back;
   return LinePixels::edges;
 }
 
 void setup_waiting_line(const WaitingLine& line, void* memory) {
   const SetupState& state = *line.state;
   PrimitiveRecord& record = write_line_record(state, line.window[0], line.window[1], line.color, 0.0, memory);
+  record.back = line.back;
   set_box(state, {line.x0, line.y0, line.x1, line.y1}, record);
   const auto [a, b] = snapped(state, line.window[0], line.window[1]);
   const auto edges = LineCoverage(a, b, static_cast<std::int32_t>(state.lines.width_px)).edges();
@@ -238,12 +243,13 @@ bool select_point(const SetupState& state, const ProcessedVertices& vertices, co
   out.x = static_cast<std::int16_t>(pixel.x0);
   out.y = static_cast<std::int16_t>(pixel.y0);
   out.z = vertex.z;
+  out.back = point.back;
   if (state.colors) out.color = color_of_vertex(state, vertices, state.flat ? point.provoking : point.vertex, point.back);
   return true;
 }
 
 void setup_waiting_point(const SetupState& state, const WaitingPoint& point, void* memory) {
-  PrimitiveRecord& record = new_record(state, memory);
+  PrimitiveRecord& record = new_record(state, memory, point.back);
   record.depth.origin = std::clamp(static_cast<double>(point.z), 0.0, 1.0) * state.targets.depth_scale;
   record.depth.minimum = record.depth.maximum = static_cast<float>(record.depth.origin);
   if (state.colors) make_constant_color(point.color, state.targets, reinterpret_cast<ColoredPrimitive*>(memory)->color);

@@ -17,6 +17,7 @@
 namespace gouraud::pipeline {
 
 struct TextureUnits;  // pipeline/texture/texture_units.h
+class SampleCounter;  // pipeline/draw/sample_counter.h
 
 /// What the bins keep of a draw: shared by all primitives of equal draws.
 struct RasterBinding {
@@ -26,6 +27,7 @@ struct RasterBinding {
   bool colors = false;  ///< colours are interpolated: the records are ColoredPrimitives
   const TexturingState* texturing = nullptr;  ///< interned too; null: no unit is textured
   const TextureUnits* texture_units = nullptr;  ///< made of it
+  SampleCounter* samples = nullptr;           ///< kept like textures; of the occlusion query that was active; null: none
   bool operator==(const RasterBinding&) const = default;
 };
 
@@ -69,6 +71,7 @@ struct alignas(64) PrimitiveRecord {
   std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
   bool scissored = false;  ///< the scissor cuts the edges' box: block masks are cut to the box above
   bool is_polygon = false; ///< filled: the polygon stipple applies
+  bool back = false;       ///< of a polygon that faces away: it takes the back side's stencil test
   DepthPlane depth{};
   const SmoothShape* shape = nullptr;  ///< null: not smooth
 };

@@ -45,6 +45,7 @@ inline std::size_t record_size(const SetupState& state) {
 
 /// The colour that setup gives to a vertex of a front or back face: the colour sum, not clamped [GL1.5 §3.9].
 inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, bool back) {
+  back = back && state.two_sided;
   Rgba color = back ? vertices.color_back[index] : vertices.color_front[index];
   if (state.color_sum) {
     const Rgba& specular = back ? vertices.specular_back[index] : vertices.specular_front[index];
@@ -63,6 +64,7 @@ struct alignas(64) WaitingTriangle {
   const SetupState* state;
   std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
   bool scissored;               ///< the scissor cuts its box
+  bool back;                    ///< faces away
 };
 static_assert(sizeof(WaitingTriangle) == 128);
 
@@ -136,6 +138,7 @@ struct alignas(64) WaitingLine {
   std::array<Rgba, 2> color;  ///< flat: both are the provoking vertex's
   const SetupState* state;
   std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
+  bool back;                    ///< of a polygon that faces away
 };
 static_assert(sizeof(WaitingLine) == 128);
 
@@ -162,6 +165,7 @@ struct WaitingPoint {
   Rgba color;
   float z;             ///< window depth
   std::int16_t x, y;   ///< its pixel
+  bool back;           ///< of a polygon that faces away
 };
 static_assert(sizeof(WaitingPoint) == 32);
 struct alignas(64) PointChunk {

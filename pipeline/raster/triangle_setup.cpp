@@ -267,6 +267,7 @@ HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const 
   out.y1 = triangle.y1;
   out.scissored = triangle.scissored;
   out.is_polygon = true;
+  out.back = triangle.back;
   out.depth = {in.z_origin[lane], in.z_dx[lane], in.z_dy[lane], static_cast<float>(in.z_minimum[lane]),
                static_cast<float>(in.z_maximum[lane]), (in.steep >> lane & 1) != 0};
   if (triangle.state->polygons.offset_fill) offset_depth(*triangle.state, out.depth);
@@ -342,7 +343,7 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
     const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
     auto& waiting = *reinterpret_cast<WaitingTriangle*>(out + selected++ * bytes);
     for (std::size_t i = 0; i < 3; ++i) waiting.window[i] = vertices.window[triangles[lane].vertex[i]];
-    const bool back = state.two_sided && (selection.front >> lane & 1) == 0;
+    const bool back = waiting.back = (selection.front >> lane & 1) == 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint16_t vertex = triangles[lane].vertex[i], shading = state.flat ? triangles[lane].provoking : vertex;
       if (state.colors) waiting.color[i] = color_of_vertex(state, vertices, shading, back);
@@ -478,7 +479,7 @@ void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, s
   const auto count = static_cast<std::size_t>(layout.of_vertices());
   for (std::size_t k = 0; k < count; ++k) out[k] = vertices.varying[k][index];
   if (layout.secondary_color < 0) return;
-  const Rgba& secondary = back ? vertices.specular_back[shading] : vertices.specular_front[shading];
+  const Rgba& secondary = back && state.two_sided ? vertices.specular_back[shading] : vertices.specular_front[shading];
   float* const target = out + layout.secondary_color;
   target[0] = secondary.r;
   target[1] = secondary.g;
