@@ -21,6 +21,12 @@ void set_enabled(Context& context, GLenum cap, bool enabled, const char* command
 Capability find_capability(AttributeGroups& groups, GLenum cap) {
   if (cap - GL_LIGHT0 < static_cast<GLenum>(max_lights))
     return {&groups.lighting.lights[cap - GL_LIGHT0].enabled, dirty_lighting};
+  if (cap - GL_CLIP_PLANE0 < static_cast<GLenum>(max_clip_planes))
+    return {&groups.transform.clip_planes[cap - GL_CLIP_PLANE0].enabled, dirty_transform};
+  if (cap - GL_TEXTURE_GEN_S < 4) {
+    TextureGenerationUnit& unit = groups.texture_generation.unit[static_cast<std::size_t>(groups.texture.active_unit)];
+    return {&unit.coordinate[cap - GL_TEXTURE_GEN_S].enabled, dirty_texture_coordinates};
+  }
   if (cap - GL_MAP1_COLOR_4 < map_kinds) return {&groups.eval.map1_enabled[cap - GL_MAP1_COLOR_4], 0};
   if (cap - GL_MAP2_COLOR_4 < map_kinds) return {&groups.eval.map2_enabled[cap - GL_MAP2_COLOR_4], 0};
   if (const auto target = texture_target(cap)) {
@@ -38,12 +44,16 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
       return {&groups.color_buffer.logic_op_enabled, dirty_raster};
     case GL_COLOR_MATERIAL:
       return {&groups.lighting.color_material_enabled, dirty_lighting};
+    case GL_COLOR_SUM:
+      return {&groups.fog.color_sum_enabled, dirty_lighting};
     case GL_CULL_FACE:
       return {&groups.polygon.cull_enabled, dirty_assembly};
     case GL_DEPTH_TEST:
       return {&groups.depth.test_enabled, dirty_raster};
     case GL_DITHER:
       return {&groups.color_buffer.dither_enabled, 0};
+    case GL_FOG:
+      return {&groups.fog.enabled, dirty_raster};
     case GL_INDEX_LOGIC_OP:
       return {&groups.color_buffer.index_logic_op_enabled, 0};
     case GL_LINE_SMOOTH:

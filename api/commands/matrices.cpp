@@ -23,7 +23,7 @@ glm::mat4& current_matrix(State& state) {
 }
 
 void matrix_changed(Context& context) {
-  context.change(dirty_transform);
+  context.change(context.state.transform.matrix_mode == GL_TEXTURE ? dirty_texture_coordinates : dirty_transform);
 }
 
 void load(Context& context, const glm::mat4& matrix) {

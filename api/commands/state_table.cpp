@@ -10,7 +10,7 @@ namespace {
 std::vector<StateRow> sorted_rows() {
   std::vector<StateRow> rows;
   for (const auto part : {vertex_state_rows(), vertex_array_rows(), fragment_state_rows(), implementation_rows(),
-                          display_list_rows(), raster_position_rows(), evaluator_rows(), pixel_rows(), texture_rows(),
+                          display_list_rows(), fog_rows(), raster_position_rows(), evaluator_rows(), pixel_rows(), texture_rows(),
                           render_mode_rows()}) {
     rows.insert(rows.end(), part.begin(), part.end());
   }

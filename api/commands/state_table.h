@@ -37,6 +37,7 @@ std::span<const StateRow> fragment_state_rows();  // rasterization, tests, frame
 std::span<const StateRow> vertex_array_rows();    // vertex arrays, buffer bindings, attribute stacks
 std::span<const StateRow> texture_rows();           // bindings and limits of texturing
 std::span<const StateRow> implementation_rows();  // limits and the target's properties
+std::span<const StateRow> fog_rows();
 std::span<const StateRow> display_list_rows();
 std::span<const StateRow> raster_position_rows();
 std::span<const StateRow> evaluator_rows();

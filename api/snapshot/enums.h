@@ -106,4 +106,23 @@ constexpr std::uint8_t material_bits(GLenum parameter) {
   }
 }
 
+inline pipeline::FogMode fog_mode(GLenum mode) {
+  return mode == GL_LINEAR ? pipeline::FogMode::linear : mode == GL_EXP2 ? pipeline::FogMode::exp2 : pipeline::FogMode::exp;
+}
+
+inline pipeline::TexgenMode texgen_mode(GLenum mode) {
+  switch (mode) {
+    case GL_OBJECT_LINEAR:
+      return pipeline::TexgenMode::object_linear;
+    case GL_SPHERE_MAP:
+      return pipeline::TexgenMode::sphere_map;
+    case GL_NORMAL_MAP:
+      return pipeline::TexgenMode::normal_map;
+    case GL_REFLECTION_MAP:
+      return pipeline::TexgenMode::reflection_map;
+    default:
+      return pipeline::TexgenMode::eye_linear;
+  }
+}
+
 }  // namespace gouraud::api

@@ -7,6 +7,7 @@
 #include "api/snapshot/blend_snapshot.h"
 #include "api/snapshot/enums.h"
 #include "api/snapshot/lighting_snapshot.h"
+#include "api/snapshot/varying_snapshot.h"
 #include "api/snapshot/rasterization_snapshot.h"
 #include "api/snapshot/texture_snapshot.h"
 #include "api/snapshot/stencil_snapshot.h"
@@ -55,18 +56,6 @@ pipeline::ReportState report_state(const RenderModeState& render_mode) {
           .texture_units = static_cast<std::uint8_t>(textures ? 1 : 0)};
 }
 
-// The coordinates that a report wants, whether their units are textured or not [GL1.5 §2.11.4].
-pipeline::TextureCoordinatesState reported_coordinates(const State& state, std::uint8_t units) {
-  pipeline::TextureCoordinatesState result;
-  result.units = units;
-  for (std::size_t k = 0; k < max_texture_units; ++k) {
-    if ((units >> k & 1) == 0) continue;
-    result.unit[k].matrix = state.matrices.texture[k].top();
-    result.unit[k].transformed = result.unit[k].matrix != glm::mat4(1.0f);
-  }
-  return result;
-}
-
 bool back_faces_drawn(const PolygonGroup& polygon) {
   return !polygon.cull_enabled || polygon.cull_face == GL_FRONT;
 }
@@ -84,6 +73,7 @@ pipeline::RasterState raster_state(const State& state, const TargetInfo& target)
   result.alpha_test = alpha_test_state(state.color_buffer);
   result.blend = blend_state(state.color_buffer, result.color_write_mask);
   result.logic_op = logic_op_state(state.color_buffer, result.color_write_mask, target.format.color);
+  result.fog = fog_state(state.fog, result.color_write_mask);
   result.polygon_stipple = polygon_stipple_state(state.polygon, state.polygon_stipple);
   result.stencil = stencil_state(state.stencil, target.stencil_mask, result.depth, back_faces_drawn(state.polygon));
   result.counts_samples = state.current_query != 0;
@@ -156,8 +146,9 @@ pipeline::TransformState transform_state(const State& state, bool normals_matter
   return result;
 }
 
-bool normals_matter(const pipeline::LightingState& lighting) {
-  return lighting.enabled && lighting.light_count > 0;
+bool normals_matter(const pipeline::DrawState& draw_state) {
+  const pipeline::LightingState& lighting = draw_state.lighting;
+  return (lighting.enabled && lighting.light_count > 0) || generates_from_normals(draw_state.texture_coordinates);
 }
 
 }  // namespace
@@ -176,11 +167,6 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   const pipeline::ReportState old_report = draw_state.report;
   draw_state.report = report_state(state.render_mode);
   if (draw_state.report != old_report) dirty = dirty_all;
-  if (draw_state.report.enabled) {
-    draw_state.texture_coordinates = reported_coordinates(state, draw_state.report.texture_units);
-  } else if (old_report.enabled) {
-    draw_state.texture_coordinates = {};
-  }
   if (dirty & dirty_raster) {
     draw_state.raster = raster_state(state, target);
     draw_state.multisample = multisample_state(state.multisample, target);
@@ -195,6 +181,9 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   if (dirty & dirty_textures) {
     draw_state.texturing = colors_matter && !reported ? texturing_state(state) : pipeline::TexturingState();
   }
+  const std::uint8_t mask = draw_state.raster.color_write_mask;
+  if (mask != old_raster.color_write_mask) dirty |= dirty_lighting;
+  if (dirty & dirty_lighting) draw_state.color_sum = color_sum_state(state, mask);
 
   const pipeline::CullMode old_cull = draw_state.assembly.cull;
   if (dirty & (dirty_assembly | dirty_lighting)) {
@@ -208,14 +197,21 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   }
   if (draw_state.assembly.cull != old_cull) dirty |= dirty_lighting;
 
-  const bool old_normals_matter = normals_matter(draw_state.lighting);
+  const bool old_normals_matter = normals_matter(draw_state);
+  const std::uint8_t units = reported ? draw_state.report.texture_units : units_of(draw_state.texturing);
+  if ((dirty & dirty_texture_coordinates) != 0 || draw_state.texture_coordinates.units != units) {
+    draw_state.texture_coordinates = texture_coordinates_state(state, units);
+  }
   if (dirty & dirty_lighting) {
     update_lighting(state.lighting, colors_matter, draw_state.assembly.cull, draw_state.lighting);
   }
-  const bool new_normals_matter = normals_matter(draw_state.lighting);
+  const bool new_normals_matter = normals_matter(draw_state);
   if (new_normals_matter != old_normals_matter) dirty |= dirty_transform;
 
-  if (dirty & dirty_transform) draw_state.transform = transform_state(state, new_normals_matter);
+  if (dirty & dirty_transform) {
+    draw_state.transform = transform_state(state, new_normals_matter);
+    draw_state.clip_planes = clip_plane_state(state.transform);
+  }
   if (dirty & dirty_viewport) {
     draw_state.viewport = viewport_state(state, target, depth_matters);
   }
@@ -224,10 +220,11 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
 pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target) {
   pipeline::DrawState result;
   result.report = {.enabled = true, .colors = true, .eye_positions = true, .texture_units = 0xFF};
-  result.texture_coordinates = reported_coordinates(state, result.report.texture_units);
+  result.texture_coordinates = texture_coordinates_state(state, result.report.texture_units);
   update_lighting(state.lighting, true, pipeline::CullMode::back, result.lighting);  // front colours are enough
   result.lighting.material = canonical_material(state.lighting, result.lighting);
-  result.transform = transform_state(state, normals_matter(result.lighting));
+  result.transform = transform_state(state, normals_matter(result));
+  result.clip_planes = clip_plane_state(state.transform);
   result.viewport = viewport_state(state, target, true);
   return result;
 }

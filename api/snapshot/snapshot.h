@@ -12,14 +12,15 @@ namespace gouraud::api {
 
 /// Parts of the DrawState that commands may have touched since it was last taken.
 enum DirtyBits : std::uint32_t {
-  dirty_transform = 1u << 0,  ///< modelview, projection, normal scaling
+  dirty_transform = 1u << 0,  ///< modelview, projection, normal scaling, clip planes
   dirty_viewport = 1u << 1,
-  dirty_lighting = 1u << 2,  ///< lights, light model, ColorMaterial, shade model
+  dirty_lighting = 1u << 2,  ///< lights, light model, ColorMaterial, shade model, colour sum
   dirty_material = 1u << 3,  ///< material parameters alone: these may change inside Begin/End
   dirty_assembly = 1u << 4,  ///< points, lines, polygons
-  dirty_raster = 1u << 5,  ///< scissor, depth, masks
+  dirty_raster = 1u << 5,  ///< scissor, depth, masks, fog
   dirty_textures = 1u << 6,  ///< texture units, objects, images
-  dirty_all = (1u << 7) - 1,
+  dirty_texture_coordinates = 1u << 7,  ///< texgen, texture matrices
+  dirty_all = (1u << 8) - 1,
 };
 
 /// What the snapshot needs to know of the target; zero and none without one.

@@ -94,6 +94,7 @@ struct View {
     return target.format.depth != pipeline::DepthFormat::none && state.depth.test_enabled &&
            (state.depth.func != GL_ALWAYS || state.depth.write_enabled);
   }
+  bool fog() const { return state.fog.enabled && writes_rgb(); }
   bool lit() const { return colors() && state.lighting.enabled; }
   bool shines(const Light& light) const {
     return lit() && light.enabled && !(is_black(light.ambient) && is_black(light.diffuse) && is_black(light.specular));
@@ -376,6 +377,33 @@ void add_framebuffer(std::vector<Parameter>& list) {
                   [](const View& v) { return v.target.format.color != pipeline::ColorFormat::none; }});
 }
 
+void add_fog(std::vector<Parameter>& list) {
+  const auto fog = [](const View& v) { return v.fog(); };
+  const auto linear = [](const View& v) { return v.fog() && v.state.fog.mode == GL_LINEAR; };
+  list.push_back({"fog", [](State& s, Random&) { s.fog.enabled ^= true; }, [](const View& v) { return v.writes_rgb(); }});
+  list.push_back({"fog mode", [](State& s, Random& r) { s.fog.mode = other(r, s.fog.mode, {GL_LINEAR, GL_EXP, GL_EXP2}); }, fog});
+  list.push_back({"fog density", [](State& s, Random& r) { s.fog.density += number(r); },
+                  [](const View& v) { return v.fog() && v.state.fog.mode != GL_LINEAR; }});
+  list.push_back({"fog start", [](State& s, Random& r) { s.fog.start += number(r); }, linear});
+  list.push_back({"fog end", [](State& s, Random& r) { s.fog.end += number(r); }, linear});
+  list.push_back({"fog color", [](State& s, Random& r) { s.fog.color.y += number(r); }, fog});
+  list.push_back({"fog alpha", [](State& s, Random& r) { s.fog.color.w += number(r); }, never});
+  list.push_back({"fog index", [](State& s, Random& r) { s.fog.index += number(r); }, never});
+  list.push_back({"fog coordinates",
+                  [](State& s, Random& r) {
+                    s.fog.coordinate_source = other(r, s.fog.coordinate_source, {GL_FOG_COORD, GL_FRAGMENT_DEPTH});
+                  },
+                  fog});
+  list.push_back({"color sum", [](State& s, Random&) { s.fog.color_sum_enabled ^= true; },
+                  [](const View& v) { return !v.state.lighting.enabled && v.writes_rgb(); }});
+}
+
+void add_clip_planes(std::vector<Parameter>& list) {
+  list.push_back({"clip plane", [](State& s, Random&) { s.transform.clip_planes[6].enabled ^= true; }, always});
+  list.push_back({"clip plane equation", [](State& s, Random& r) { s.transform.clip_planes[6].plane_eye.z += number(r); },
+                  [](const View& v) { return v.state.transform.clip_planes[6].enabled; }});
+}
+
 void add_alpha_test(std::vector<Parameter>& list) {
   list.push_back({"alpha test", [](State& s, Random&) { s.color_buffer.alpha_test_enabled ^= true; },
                   [](const View& v) { return v.state.color_buffer.alpha_func != GL_ALWAYS; }});
@@ -499,6 +527,8 @@ std::vector<Parameter> all_parameters() {
   add_points_and_lines(list);
   add_polygons(list);
   add_framebuffer(list);
+  add_fog(list);
+  add_clip_planes(list);
   add_alpha_test(list);
   add_blending(list);
   add_logic_op(list);

@@ -1,5 +1,6 @@
 #include "api/state/matrix.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -172,6 +173,32 @@ float rescale_factor(const glm::mat4& modelview) {
   const glm::dvec3 row = cofactors[2] / (invertible(determinant) ? determinant : 1.0);
   const double f = 1.0 / std::sqrt((row.x * row.x + row.y * row.y) + row.z * row.z);
   return std::isfinite(f) && f > 0.0 ? to_finite_float(f) : 1.0f;
+}
+
+glm::dvec4 to_eye(const glm::dvec4& plane_object, const glm::mat4& modelview) {
+  const glm::dmat4 m(modelview);
+  // Cofactor (row, column) belongs to the inverse's element (column, row), so plane . inverse is a sum over columns.
+  const auto minor = [&](int row, int column) {
+    std::array<int, 3> r{}, c{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      r[k] = static_cast<int>(k) + (static_cast<int>(k) >= row ? 1 : 0);
+      c[k] = static_cast<int>(k) + (static_cast<int>(k) >= column ? 1 : 0);
+    }
+    const auto at = [&](std::size_t i, std::size_t j) { return m[c[j]][r[i]]; };
+    return at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) - at(0, 1) * (at(1, 0) * at(2, 2) - at(1, 2) * at(2, 0)) +
+           at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+  };
+  const auto cofactor = [&](int row, int column) { return (row + column) % 2 == 0 ? minor(row, column) : -minor(row, column); };
+  double determinant = 0.0;
+  for (int column = 0; column < 4; ++column) determinant += m[column][0] * cofactor(0, column);
+  const double divisor = std::isfinite(determinant) && determinant != 0.0 ? determinant : 1.0;
+  glm::dvec4 result(0.0);
+  for (int row = 0; row < 4; ++row) {
+    double sum = 0.0;
+    for (int column = 0; column < 4; ++column) sum += plane_object[column] * cofactor(row, column);
+    result[row] = std::isfinite(sum / divisor) ? sum / divisor : 0.0;
+  }
+  return result;
 }
 
 }  // namespace gouraud::api

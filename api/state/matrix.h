@@ -30,6 +30,10 @@ SineCosine sine_cosine(double angle_rad);
 /// to float, always finite. choice: for a singular matrix, the cofactors without the division by the determinant.
 glm::mat3 normal_matrix(const glm::mat4& modelview);
 
+/// A plane of object space in eye space: the row vector times the inverse of `modelview`, in double. Not finite components
+/// become 0. choice: of a singular matrix the cofactors stand for the inverse, as above.
+glm::dvec4 to_eye(const glm::dvec4& plane_object, const glm::mat4& modelview);
+
 /// The factor f of RESCALE_NORMAL [GL1.5 §2.11.3]: 1 / length of the third row of the inverse's upper 3x3. 1 if that is
 /// not finite.
 float rescale_factor(const glm::mat4& modelview);

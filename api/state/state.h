@@ -7,6 +7,7 @@
 #include "api/state/buffer_object.h"
 #include "api/state/current.h"
 #include "api/state/evaluators.h"
+#include "api/state/fog.h"
 #include "api/state/framebuffer.h"
 #include "api/state/lighting.h"
 #include "api/state/limits.h"
@@ -15,6 +16,7 @@
 #include "api/state/rasterization.h"
 #include "api/state/render_mode.h"
 #include "api/state/texture.h"
+#include "api/state/texture_generation.h"
 #include "api/state/transform.h"
 #include "api/state/vertex_arrays.h"
 
@@ -52,6 +54,7 @@ struct AttributeGroups {
   TransformGroup transform;
   ViewportGroup viewport;
   LightingGroup lighting;
+  FogGroup fog;
   PointGroup point;
   LineGroup line;
   PolygonGroup polygon;
@@ -64,6 +67,7 @@ struct AttributeGroups {
   ColorBufferGroup color_buffer;
   PixelGroup pixel;
   TextureGroup texture;
+  TextureGenerationGroup texture_generation;
   HintGroup hint;
   EvalGroup eval;
   ListGroup list;

@@ -28,12 +28,20 @@ struct MatrixStacks {
   bool operator==(const MatrixStacks&) const = default;
 };
 
+/// [GL1.5 §2.12]: times the inverse of the modelview matrix of its time.
+struct UserClipPlane {
+  bool enabled = false;
+  glm::dvec4 plane_eye{0.0};
+  bool operator==(const UserClipPlane&) const = default;
+};
+
 /// Attribute group TRANSFORM_BIT.
 struct TransformGroup {
   GLenum matrix_mode = GL_MODELVIEW;
   bool normalize_enabled = false;
   bool rescale_normal_enabled = false;
   GLenum clip_origin = GL_LOWER_LEFT, clip_depth_mode = GL_NEGATIVE_ONE_TO_ONE;  ///< ARB_clip_control
+  std::array<UserClipPlane, max_clip_planes> clip_planes;
   bool operator==(const TransformGroup&) const = default;
 };
 

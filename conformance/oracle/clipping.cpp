@@ -8,8 +8,27 @@
 namespace gouraud::oracle {
 namespace {
 
-/// Distances to these planes are positive inside: w - x, w + x, w - y, w + y, w + z (near), w - z (far).
-constexpr int plane_count = 6;
+/// Distances to the frustum's planes are positive inside: w - x, w + x, w - y, w + y, w + z (near), w - z (far).
+constexpr int frustum_planes = 6;
+
+/// A plane of the frustum, or one of the user's, in eye space.
+struct Plane {
+  int frustum = 0;
+  const glm::vec4* user = nullptr;
+};
+
+std::vector<Plane> all_planes(const pipeline::ClipPlaneState& user) {
+  std::vector<Plane> planes;
+  for (int i = 0; i < frustum_planes; ++i) planes.push_back({i, nullptr});
+  for (std::size_t i = 0; i < user.count; ++i) planes.push_back({0, &user.plane_eye[i]});
+  return planes;
+}
+
+template <typename T>
+double user_distance(const std::array<T, 4>& eye, const glm::vec4& plane) {
+  const double x = eye[0], y = eye[1], z = eye[2], w = eye[3];
+  return ((x * plane.x + y * plane.y) + z * plane.z) + w * plane.w;
+}
 
 template <typename T>
 T distance(const std::array<T, 4>& p, int plane) {
@@ -30,6 +49,12 @@ T distance(const std::array<T, 4>& p, int plane) {
 }
 
 template <typename T>
+T distance(const ClipVertex<T>& vertex, const Plane& plane) {
+  if (plane.user != nullptr) return static_cast<T>(user_distance(vertex.position_eye, *plane.user));
+  return distance(vertex.position, plane.frustum);
+}
+
+template <typename T>
 bool has_finite_position(const ClipVertex<T>& vertex) {
   return std::ranges::all_of(vertex.position, [](T coordinate) { return std::isfinite(coordinate); });
 }
@@ -44,7 +69,12 @@ Color mix(const Color& from, const Color& to, double t) {
 template <typename T>
 ClipVertex<T> mix(const ClipVertex<T>& from, const ClipVertex<T>& to, T t, double t_exact) {
   ClipVertex<T> out;
-  for (std::size_t i = 0; i < 4; ++i) out.position[i] = from.position[i] + t * (to.position[i] - from.position[i]);
+  for (std::size_t i = 0; i < 4; ++i) {
+    out.position[i] = from.position[i] + t * (to.position[i] - from.position[i]);
+    out.position_eye[i] = from.position_eye[i] + t * (to.position_eye[i] - from.position_eye[i]);
+  }
+  const double fog = from.colors.fog_coordinate;
+  out.colors.fog_coordinate = fog + t_exact * (to.colors.fog_coordinate - fog);
   for (const Face face : {front, back}) {
     out.colors.primary[face] = mix(from.colors.primary[face], to.colors.primary[face], t_exact);
     out.colors.secondary[face] = mix(from.colors.secondary[face], to.colors.secondary[face], t_exact);
@@ -57,17 +87,18 @@ ClipVertex<T> mix(const ClipVertex<T>& from, const ClipVertex<T>& to, T t, doubl
 
 /// The distance as it is for the given coordinates, without rounding to T.
 template <typename T>
-double exact_distance(const ClipVertex<T>& vertex, int plane) {
+double exact_distance(const ClipVertex<T>& vertex, const Plane& plane) {
+  if (plane.user != nullptr) return user_distance(vertex.position_eye, *plane.user);
   Vector4 p;
   std::ranges::copy(vertex.position, p.begin());
-  return distance(p, plane);
+  return distance(p, plane.frustum);
 }
 
 /// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer end
 /// (MESA-RULES 2.4).
 template <typename T>
-ClipVertex<T> intersect(const ClipVertex<T>& inside, const ClipVertex<T>& outside, int plane) {
-  const T d_inside = distance(inside.position, plane), d_outside = distance(outside.position, plane);
+ClipVertex<T> intersect(const ClipVertex<T>& inside, const ClipVertex<T>& outside, const Plane& plane) {
+  const T d_inside = distance(inside, plane), d_outside = distance(outside, plane);
   const double exact_inside = exact_distance(inside, plane), exact_outside = exact_distance(outside, plane);
   if (-d_outside < d_inside) {
     return mix(outside, inside, d_outside / (d_outside - d_inside), exact_outside / (exact_outside - exact_inside));
@@ -76,9 +107,9 @@ ClipVertex<T> intersect(const ClipVertex<T>& inside, const ClipVertex<T>& outsid
 }
 
 template <typename T>
-ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, int plane) {
+ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, const Plane& plane) {
   // w - x may overflow where w and x do not.
-  const auto finite = [plane](const auto& vertex) { return std::isfinite(distance(vertex.position, plane)); };
+  const auto finite = [plane](const auto& vertex) { return std::isfinite(distance(vertex, plane)); };
   if (!std::ranges::all_of(polygon.vertices, finite)) return {};
 
   ClippedPolygon<T> out;
@@ -91,7 +122,7 @@ ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, int plane) {
   for (std::size_t i = 0; i < n; ++i) {
     const ClipVertex<T>& here = polygon.vertices[i];
     const ClipVertex<T>& next = polygon.vertices[(i + 1) % n];
-    const bool here_inside = distance(here.position, plane) >= 0, next_inside = distance(next.position, plane) >= 0;
+    const bool here_inside = distance(here, plane) >= 0, next_inside = distance(next, plane) >= 0;
     if (here_inside) add(here, polygon.boundary[i]);
     // Leaving, the new edge runs along the plane; coming back, along the old edge.
     if (here_inside && !next_inside) add(intersect(here, next, plane), true);
@@ -101,9 +132,10 @@ ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, int plane) {
 }
 
 template <typename T>
-ExactSum exact_sum_distance(const ClipVertex<T>& vertex, int plane) {
-  const double w = vertex.position[3], coordinate = vertex.position[static_cast<std::size_t>(plane / 2)];
-  const bool is_upper = plane == 0 || plane == 2 || plane == 5;
+ExactSum exact_sum_distance(const ClipVertex<T>& vertex, const Plane& plane) {
+  if (plane.user != nullptr) return {{user_distance(vertex.position_eye, *plane.user)}};
+  const double w = vertex.position[3], coordinate = vertex.position[static_cast<std::size_t>(plane.frustum / 2)];
+  const bool is_upper = plane.frustum == 0 || plane.frustum == 2 || plane.frustum == 5;
   return {{is_upper ? -coordinate : coordinate, w}};
 }
 
@@ -136,13 +168,14 @@ ClipVertex<T> vertex_at(const Crossing& crossing, const ClipVertex<T>& v0, const
 }  // namespace
 
 template <typename T>
-ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges) {
+ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges,
+                                const pipeline::ClipPlaneState& user) {
   if (!std::ranges::all_of(triangle, [](const auto& vertex) { return has_finite_position(vertex); })) return {};
   ClippedPolygon<T> polygon;
   polygon.vertices.assign(triangle.begin(), triangle.end());
   for (unsigned i = 0; i < 3; ++i) polygon.boundary.push_back((boundary_edges >> i & 1) != 0);
-  for (int plane = 0; plane < plane_count; ++plane) {
-    const auto violates = [plane](const auto& vertex) { return distance(vertex.position, plane) < 0; };
+  for (const Plane& plane : all_planes(user)) {
+    const auto violates = [plane](const auto& vertex) { return distance(vertex, plane) < 0; };
     if (std::ranges::any_of(triangle, violates)) polygon = clip_to_plane(polygon, plane);
   }
   if (polygon.vertices.size() < 3) return {};
@@ -150,12 +183,13 @@ ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, un
 }
 
 template <typename T>
-std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line) {
+std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line,
+                                                       const pipeline::ClipPlaneState& user) {
   const auto& [v0, v1] = line;
   if (!has_finite_position(v0) || !has_finite_position(v1)) return {};
   // Where the line comes in and where it leaves.
   std::optional<Crossing> entry, exit;
-  for (int plane = 0; plane < plane_count; ++plane) {
+  for (const Plane& plane : all_planes(user)) {
     const Crossing here{exact_sum_distance(v0, plane), exact_sum_distance(v1, plane)};
     const bool inside0 = here.d0.value() >= 0, inside1 = here.d1.value() >= 0;
     if (!inside0 && !inside1) return {};
@@ -170,19 +204,21 @@ std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVerte
 }
 
 template <typename T>
-bool in_view_volume(const ClipVertex<T>& point) {
+bool in_view_volume(const ClipVertex<T>& point, const pipeline::ClipPlaneState& user) {
   if (!has_finite_position(point)) return false;
-  for (int plane = 0; plane < plane_count; ++plane) {
-    if (distance(point.position, plane) < 0) return false;
+  for (const Plane& plane : all_planes(user)) {
+    if (!(distance(point, plane) >= 0)) return false;
   }
   return true;
 }
 
-template ClippedPolygon<float> clip_triangle(const std::array<ClipVertex<float>, 3>&, unsigned);
-template ClippedPolygon<double> clip_triangle(const std::array<ClipVertex<double>, 3>&, unsigned);
-template std::optional<std::array<ClipVertex<float>, 2>> clip_line(const std::array<ClipVertex<float>, 2>&);
-template std::optional<std::array<ClipVertex<double>, 2>> clip_line(const std::array<ClipVertex<double>, 2>&);
-template bool in_view_volume(const ClipVertex<float>&);
-template bool in_view_volume(const ClipVertex<double>&);
+template ClippedPolygon<float> clip_triangle(const std::array<ClipVertex<float>, 3>&, unsigned, const pipeline::ClipPlaneState&);
+template ClippedPolygon<double> clip_triangle(const std::array<ClipVertex<double>, 3>&, unsigned, const pipeline::ClipPlaneState&);
+template std::optional<std::array<ClipVertex<float>, 2>> clip_line(const std::array<ClipVertex<float>, 2>&,
+                                                                        const pipeline::ClipPlaneState&);
+template std::optional<std::array<ClipVertex<double>, 2>> clip_line(const std::array<ClipVertex<double>, 2>&,
+                                                                        const pipeline::ClipPlaneState&);
+template bool in_view_volume(const ClipVertex<float>&, const pipeline::ClipPlaneState&);
+template bool in_view_volume(const ClipVertex<double>&, const pipeline::ClipPlaneState&);
 
 }  // namespace gouraud::oracle

@@ -1,7 +1,7 @@
 // Takes clip-space vertices, gives what of a primitive lies in the view volume [GL1.5 §2.12, §2.14.8].
 // Triangles are cut in T, in the order and from the end that MESA-RULES 2.4 prescribes; their colours by the same
 // intersection computed in double. Lines are cut exactly, and the cut end is rounded to T: Mesa's float form would lose
-// lines whose ends are far away. No user clip planes yet. A primitive with a coordinate that is not finite is
+// lines whose ends are far away. The user's planes come last, in eye space. A primitive with a coordinate that is not finite is
 // dropped, and a triangle with such a distance to a plane that it crosses.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "conformance/oracle/vertex.h"
+#include "pipeline/draw/draw_state.h"
 
 namespace gouraud::oracle {
 
@@ -24,13 +25,15 @@ struct ClippedPolygon {
 /// The part of a triangle inside the view volume; no vertices if there is none. Bit i of `boundary_edges` stands for
 /// edge i. Edges along the view volume's faces are boundary edges [GL1.5 §2.12].
 template <typename T>
-ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges);
+ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges,
+                                const pipeline::ClipPlaneState& user = {});
 
 template <typename T>
-std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line);
+std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line,
+                                                       const pipeline::ClipPlaneState& user = {});
 
 /// A point is kept iff its position is in the volume.
 template <typename T>
-bool in_view_volume(const ClipVertex<T>& point);
+bool in_view_volume(const ClipVertex<T>& point, const pipeline::ClipPlaneState& user = {});
 
 }  // namespace gouraud::oracle

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "conformance/oracle/blending.h"
+#include "conformance/oracle/fog.h"
 #include "conformance/oracle/stencil.h"
 
 namespace gouraud::oracle {
@@ -175,7 +176,10 @@ OraclePicture make_picture(int width_px, int height_px, int depth_bits) {
 
 void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& rasterized) {
   Fragment fragment = rasterized;
-  for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) (*color)[3] *= fragment.coverage;
+  for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) {
+    *color = fogged(state.fog, *color, fragment.fog_coordinate);
+    (*color)[3] *= fragment.coverage;
+  }
   const pipeline::PixelRect& box = state.scissor;
   if (fragment.x < box.x0 || fragment.x >= box.x1 || fragment.y < box.y0 || fragment.y >= box.y1) return;
   if (fragment.x < 0 || fragment.x >= picture.width_px || fragment.y < 0 || fragment.y >= picture.height_px) return;

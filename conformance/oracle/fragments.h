@@ -15,6 +15,7 @@ namespace gouraud::oracle {
 struct Fragment {
   int x = 0, y = 0;
   Color color{}, color_lowest{}, color_highest{};
+  double fog_coordinate = 0;
   double depth = 0;  ///< window z
   /// Window z that a conforming implementation may have computed: at most the slack away, within the vertices' range.
   double depth_lowest = 0, depth_highest = 0;
@@ -30,7 +31,7 @@ double depth_units_of(int depth_bits);
 /// A new picture: everything zero.
 OraclePicture make_picture(int width_px, int height_px, int depth_bits);
 
-/// Scissor, alpha, stencil and depth test, blending, masks and write.
+/// Fog, scissor, alpha, stencil and depth test, blending, masks and write.
 void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& fragment);
 
 void clear_picture(OraclePicture& picture, const pipeline::ClearState& state);

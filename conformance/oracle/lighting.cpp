@@ -176,6 +176,10 @@ VertexColors Lighting::shade(int index) {
   VertexColors out;
   if (!lighting.enabled) {
     out.primary[front] = out.primary[back] = clamped(widen(color));
+    if (state_.color_sum) {
+      const glm::vec4 secondary(batch_.secondary_color[0][i], batch_.secondary_color[1][i], batch_.secondary_color[2][i], 0);
+      out.secondary[front] = out.secondary[back] = clamped(widen(secondary));
+    }
     return out;
   }
 

@@ -53,6 +53,15 @@ bool contains_end(Integer u, Integer v, Integer half) {
 
 /// The line's colour where it is t of the way [GL1.5 §3.4.1 eq 3.4]. With t beyond the ends the weights' sum may
 /// vanish: the nearer end's colour then.
+/// In perspective kept between the ends', as 1/w may pass zero beyond them.
+double fog_coordinate_at(const std::array<WindowVertex, 2>& ends, double t) {
+  const auto& [a, b] = ends;
+  const double f0 = a.colors.fog_coordinate, f1 = b.colors.fog_coordinate;
+  if (a.w_inverse == b.w_inverse) return (1 - t) * f0 + t * f1;
+  const double s = std::clamp(t, 0.0, 1.0), q0 = (1 - s) * a.w_inverse, q1 = s * b.w_inverse;
+  return (q0 * f0 + q1 * f1) / (q0 + q1);
+}
+
 Color color_at(const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t) {
   const double weight_a = (1 - t) * ends[0].w_inverse, weight_b = t * ends[1].w_inverse, sum = weight_a + weight_b;
   if (sum <= 0) return colors[t < 0.5 ? 0 : 1];
@@ -99,6 +108,7 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
       VertexShare{&a.colors, (1 - t) * a.w_inverse, -slope_x * a.w_inverse, -slope_y * a.w_inverse},
       VertexShare{&b.colors, t * b.w_inverse, slope_x * b.w_inverse, slope_y * b.w_inverse}};
   set_color(shade(sink, color_at(ends, colors, t), shares), fragment);
+  fragment.fog_coordinate = fog_coordinate_at(ends, t);
   if ((t < 0 || t > 1) && a.w_inverse != b.w_inverse) bound_extrapolation(ends, colors, t, fragment);
   fragment.depth = (a.z == b.z ? a.z : (1 - t) * a.z + t * b.z) + sink.depth_offset;
   const double slack = a.z == b.z && sink.depth_offset == 0 ? 0.0 : sink.depth_slack;
@@ -217,6 +227,7 @@ void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, doubl
   fragment.face = sink.face;
   const std::array<VertexShare, 1> shares{VertexShare{&vertex.colors, 1, 0, 0}};
   set_color(shade(sink, color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors), shares), fragment);
+  fragment.fog_coordinate = vertex.colors.fog_coordinate;
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = vertex.z + sink.depth_offset;
   if (sink.depth_offset != 0) {
     fragment.depth_lowest -= sink.depth_slack;

@@ -12,6 +12,7 @@
 #include "conformance/oracle/positions.h"
 #include "conformance/oracle/rasterize.h"
 #include "conformance/oracle/texture_coordinates.h"
+#include "conformance/oracle/fog.h"
 
 namespace gouraud::oracle {
 namespace {
@@ -33,17 +34,19 @@ class Draw {
     sink_.lines = state.lines;
     sink_.smooth_polygons = state.polygons.smooth;
     sink_.texturing = state.texturing;
-    sink_.has_secondary = state.lighting.enabled && state.lighting.separate_specular;
+    sink_.has_secondary = state.lighting.enabled ? state.lighting.separate_specular : state.color_sum;
     if (picture.depth_bits > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(picture.depth_bits);
 
     const auto matrix = combined_matrix<T>(state.transform);
+    const auto modelview = modelview_matrix<T>(state.transform);
     Lighting lighting(state, batch);
     for (int i = 0; i < batch.count; ++i) {
       std::array<float, 4> position;
       for (std::size_t k = 0; k < 4; ++k) position[k] = batch.position_object[k][static_cast<std::size_t>(i)];
       VertexColors colors = lighting.shade(i);
       colors.texture_coordinates = texture_coordinates(state, batch, i);
-      vertices_.push_back({to_clip_space<T>(matrix, position), colors});
+      if (state.raster.fog.mode != pipeline::FogMode::none) colors.fog_coordinate = fog_coordinate(state, batch, i);
+      vertices_.push_back({to_clip_space<T>(matrix, position), colors, to_clip_space<T>(modelview, position)});
       sizes_.push_back(point_size(position));
     }
     picture.knife_edge_vertices += lighting.knife_edges();
@@ -74,7 +77,7 @@ class Draw {
 
   void draw_point(const Primitive& primitive) {
     const ClipVertex<T>& point = vertex(primitive.vertex[0]);
-    if (!in_view_volume(point)) return;
+    if (!in_view_volume(point, state_.clip_planes)) return;
     if (const auto window = to_window_space(point, state_.viewport)) rasterize_point(sink_, *window, size_of(primitive, 0));
   }
 
@@ -105,8 +108,8 @@ class Draw {
       const bool steep = std::abs(whole_b->y - whole_a->y) > std::abs(whole_b->x - whole_a->x);
       return std::llround(steep ? std::abs(to.y - from.y) : std::abs(to.x - from.x));
     };
-    const bool inside = in_view_volume(line[0]) && in_view_volume(line[1]);
-    const auto clipped = clip_line(line);
+    const bool inside = in_view_volume(line[0], state_.clip_planes) && in_view_volume(line[1], state_.clip_planes);
+    const auto clipped = clip_line(line, state_.clip_planes);
     if (!inside && known) stipple_count_ = before + fragments_between(*whole_a, *whole_b);
     if (!clipped) return;
     const auto a = to_window_space((*clipped)[0], state_.viewport), b = to_window_space((*clipped)[1], state_.viewport);
@@ -119,7 +122,7 @@ class Draw {
   void draw_triangle(const Primitive& primitive) {
     const ClippedPolygon<T> clipped =
         clip_triangle<T>({vertex(primitive.vertex[0]), vertex(primitive.vertex[1]), vertex(primitive.vertex[2])},
-                         primitive.boundary_edges);
+                         primitive.boundary_edges, state_.clip_planes);
     std::vector<WindowVertex> polygon;
     for (const ClipVertex<T>& corner : clipped.vertices) {
       const auto window = to_window_space(corner, state_.viewport);

@@ -97,6 +97,14 @@ class Interpolation {
     return shade(sink_, primary, shares);
   }
 
+  double fog_coordinate(const Vector3& weight) const {
+    const auto& [a, b, c] = vertices_;
+    const double q = weight[0] * a.w_inverse + weight[1] * b.w_inverse + weight[2] * c.w_inverse;
+    const double f[3] = {a.colors.fog_coordinate, b.colors.fog_coordinate, c.colors.fog_coordinate};
+    const double sum = weight[0] * a.w_inverse * f[0] + weight[1] * b.w_inverse * f[1] + weight[2] * c.w_inverse * f[2];
+    return in_range(sum / q, f[0], f[1], f[2]);
+  }
+
   double depth(const Vector3& weight) const {
     const auto& [a, b, c] = vertices_;
     return in_range(weight[0] * a.z + weight[1] * b.z + weight[2] * c.z, a.z, b.z, c.z);
@@ -177,6 +185,7 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
   fragment.x = x;
   fragment.y = y;
   set_color(values.shaded(weight), fragment);
+  fragment.fog_coordinate = values.fog_coordinate(weight);
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = values.depth(weight);
   if (!values.has_area() || std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
     bound_extrapolation(values, sink.subpixel_bits, fragment);

@@ -25,6 +25,17 @@ std::array<std::array<T, 4>, 4> combined_matrix(const pipeline::TransformState& 
 }
 
 template <typename T>
+std::array<std::array<T, 4>, 4> modelview_matrix(const pipeline::TransformState& transform) {
+  std::array<std::array<T, 4>, 4> out{};
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      out[static_cast<std::size_t>(column)][static_cast<std::size_t>(row)] = static_cast<T>(transform.modelview[column][row]);
+    }
+  }
+  return out;
+}
+
+template <typename T>
 std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix,
                                const std::array<float, 4>& position_object) {
   std::array<T, 4> clip{};
@@ -72,6 +83,8 @@ std::optional<WindowVertex> to_window_space(const ClipVertex<T>& vertex, const p
 
 template std::array<std::array<float, 4>, 4> combined_matrix(const pipeline::TransformState&);
 template std::array<std::array<double, 4>, 4> combined_matrix(const pipeline::TransformState&);
+template std::array<std::array<float, 4>, 4> modelview_matrix(const pipeline::TransformState&);
+template std::array<std::array<double, 4>, 4> modelview_matrix(const pipeline::TransformState&);
 template std::array<float, 4> to_clip_space(const std::array<std::array<float, 4>, 4>&, const std::array<float, 4>&);
 template std::array<double, 4> to_clip_space(const std::array<std::array<double, 4>, 4>&, const std::array<float, 4>&);
 template std::optional<WindowVertex> to_window_space(const ClipVertex<float>&, const pipeline::ViewportState&);

@@ -25,6 +25,10 @@ template <typename T>
 std::array<std::array<T, 4>, 4> combined_matrix(const pipeline::TransformState& transform);
 
 template <typename T>
+std::array<std::array<T, 4>, 4> modelview_matrix(const pipeline::TransformState& transform);
+
+/// With the modelview matrix: to eye space.
+template <typename T>
 std::array<T, 4> to_clip_space(const std::array<std::array<T, 4>, 4>& matrix,
                                const std::array<float, 4>& position_object);
 

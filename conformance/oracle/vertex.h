@@ -13,10 +13,11 @@ using Color = std::array<double, 4>;  ///< RGBA
 
 enum Face : std::uint8_t { front = 0, back = 1 };
 
-/// What is interpolated besides depth: texture coordinates, and colours of a vertex on its front and back, clamped to [0, 1] [GL1.5 §2.14.6]. Without lighting and without
-/// separate specular colour the secondary colour is black.
+/// What is interpolated besides depth: colours of a vertex on its front and back, clamped to [0, 1] [GL1.5 §2.14.6], and
+/// more. Without separate specular colour, and without a colour sum, the secondary colour is black.
 struct VertexColors {
   std::array<Color, 2> primary{}, secondary{};
+  double fog_coordinate = 0;
   std::vector<Vector4> texture_coordinates;  ///< s, t, r, q of each textured unit, in order
 };
 
@@ -25,6 +26,7 @@ template <typename T>
 struct ClipVertex {
   std::array<T, 4> position{};
   VertexColors colors;
+  std::array<T, 4> position_eye{};  ///< where there are clip planes of the user
 };
 
 /// A position in units of a sub-pixel, y up. The centre of pixel (i, j) is (i, j) * 2^bits: the half pixel is already

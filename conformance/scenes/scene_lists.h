@@ -16,6 +16,7 @@ SceneList viewport_scenes();         // §2.11.1
 SceneList matrix_scenes();           // §2.11.2
 SceneList normal_scenes();           // §2.11.3
 SceneList clipping_scenes();         // §2.12
+SceneList clip_plane_scenes();       // §2.12, the user's planes
 SceneList bad_input_scenes();        // §2.12, NaN and infinity
 SceneList lighting_scenes();         // §2.14.1, eq 2.1 term by term
 SceneList spot_light_scenes();       // §2.14.1, attenuation and spot lights
@@ -36,6 +37,8 @@ SceneList texture_sampling_scenes();     // §3.8.6 to 3.8.10, 3.8.14
 SceneList texture_environment_scenes();  // §3.8.13
 SceneList texture_image_scenes();    // §3.8.1
 SceneList color_sum_scenes();        // §3.9
+SceneList secondary_color_scenes();  // §3.9, without lighting
+SceneList fog_scenes();              // §3.10
 SceneList scissor_scenes();          // §4.1.2
 SceneList alpha_test_scenes();       // §4.1.4
 SceneList stencil_scenes();          // §4.1.5

@@ -10,9 +10,11 @@
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/alpha.h"
 #include "pipeline/fragment/blend.h"
+#include "pipeline/fragment/color_sum.h"
 #include "pipeline/fragment/color_write.h"
 #include "pipeline/fragment/coverage.h"
 #include "pipeline/fragment/depth.h"
+#include "pipeline/fragment/fog.h"
 #include "pipeline/fragment/polygon_stipple.h"
 #include "pipeline/fragment/sample_count.h"
 #include "pipeline/fragment/stencil.h"
@@ -123,11 +125,13 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
 
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
 void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
-  const bool has_varyings = plan.textured;
+  const bool has_varyings = plan.textured || plan.fog;
   const auto shade = [&] {
     if (plan.colors) plan.fragment.add(color_interpolation_pass());
     if (has_varyings) plan.fragment.add(varying_interpolation_pass());
     if (plan.textured) plan.fragment.add(texture_pass());
+    if (plan.secondary_color == SecondaryColor::interpolated) plan.fragment.add(color_sum_pass(target.color));
+    if (plan.fog) plan.fragment.add(fog_pass(state.raster.fog.mode, target.color));
     if (plan.coverage) plan.fragment.add(coverage_pass());
   };
   if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
@@ -183,6 +187,8 @@ void demand_texture_coordinates(const DrawState& state, Plan& plan) {
 void plan_vertices(const DrawState& state, Plan& plan) {
   demand_colors(state, plan);
   demand_texture_coordinates(state, plan);
+  plan.eye_positions |= state.clip_planes.count > 0;
+  if (plan.fog && state.raster.fog.from_coordinate) plan.vertex_demand |= attribute_fog_coordinate;
   if (plan.normals) plan.vertex_demand |= attribute_normal;
   const bool filled = state.assembly.polygon_mode_front == PolygonMode::fill && state.assembly.polygon_mode_back == PolygonMode::fill;
   if (!filled) plan.vertex_demand |= attribute_edge_flag;
@@ -235,6 +241,7 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   plan.polygon_stipple = state.raster.polygon_stipple.enabled;
   plan.coverage = shades && (state.points.smooth || state.lines.smooth || state.polygons.smooth);
   plan.writes_color = writes_color;
+  plan.fog = plan.writes_color && state.raster.fog.mode != FogMode::none;
   plan.secondary_color = secondary_color(state, plan);
   add_fragment_passes(state, target, plan);
 
@@ -263,7 +270,9 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     const int unit = state.texturing.unit[i].unit;
     line("texture coordinates", describe_coordinates(state.texture_coordinates.unit[static_cast<std::size_t>(unit)], unit), "§2.11.4");
   }
-  line("clip and project", "", "§2.12, §2.11.1");
+  if (plan.fog) line("fog coordinate", state.raster.fog.from_coordinate ? "given" : "distance from the eye", "§3.10");
+  const int planes = state.clip_planes.count;
+  line("clip and project", planes == 0 ? "" : std::to_string(planes) + (planes == 1 ? " plane" : " planes"), "§2.12, §2.11.1");
   if (plan.reports) {
     line("report", "", "§5.2, §5.3");
     return text;
@@ -272,10 +281,16 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
   describe_rasterization(state, line);
   if (plan.polygon_stipple) line("polygon stipple", "", "§3.5.2");
-  for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
-    line("texture", describe_unit(state.texturing.unit[i]), "§3.8.8, §3.8.13");
-  }
-  if (plan.coverage) line("coverage", "", "§3.11");
+  const auto describe_shading = [&] {
+    constexpr std::array<std::string_view, 4> modes{"", "linear", "exp", "exp2"};
+    for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {
+      line("texture", describe_unit(state.texturing.unit[i]), "§3.8.8, §3.8.13");
+    }
+    if (plan.secondary_color == SecondaryColor::interpolated) line("add the secondary color", "", "§3.9");
+    if (plan.fog) line("fog", modes[static_cast<std::size_t>(state.raster.fog.mode)], "§3.10");
+    if (plan.coverage) line("coverage", "", "§3.11");
+  };
+  if (plan.alpha_test) describe_shading();
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
   if (plan.stencil) line("stencil test", describe_stencil(state.raster.stencil), "§4.1.5");
   if (plan.depth) {
@@ -284,6 +299,7 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     line("depth test", detail, "§4.1.6");
   }
   if (plan.counts_samples) line("count samples", "", "§4.1.7");
+  if (!plan.alpha_test) describe_shading();
   if (plan.blends && state.raster.blend.enabled) line("blend", describe_blending(state.raster.blend), "§4.1.8");
   if (plan.blends && !state.raster.blend.enabled) {
     line("logical operation", logic_op_names[static_cast<std::size_t>(state.raster.logic_op)], "§4.1.10");

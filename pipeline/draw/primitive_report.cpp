@@ -24,7 +24,7 @@ class Reporter {
         count_(vertices.count),
         two_sided_(plan.lighting && state.lighting.two_sided),
         flat_(state.assembly.shade_model == ShadeModel::flat),
-        attributes_{plan.eye_positions, plan.colors, two_sided_, false, varyings.of_vertices()},
+        attributes_{plan.eye_positions, plan.colors, two_sided_, false, varyings.of_vertices(), &state.clip_planes},
         edge_flag_((plan.vertex_demand & attribute_edge_flag) != 0 ? batch.edge_flag.data() : nullptr) {}
 
   void report(const PrimitiveRange& range) {

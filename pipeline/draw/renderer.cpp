@@ -17,6 +17,7 @@
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/color_write.h"
 #include "pipeline/geometry/assembly.h"
+#include "pipeline/geometry/clip_planes.h"
 #include "pipeline/geometry/clipping.h"
 #include "pipeline/geometry/colors.h"
 #include "pipeline/geometry/lighting.h"
@@ -160,7 +161,7 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   plain_lines = are_plain_lines(*setup);
   unfilled = mode_front != PolygonMode::fill || mode_back != PolygonMode::fill;
   clip_attributes = {plan.eye_positions, plan.colors, setup->two_sided, plan.secondary_color != SecondaryColor::none,
-                     varyings.of_vertices()};
+                     varyings.of_vertices(), &state.clip_planes};
 }
 
 void Renderer::Implementation::run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings,
@@ -180,6 +181,7 @@ void Renderer::Implementation::run_vertex_stages(const DrawState& state, const P
     make_fog_coordinates(state.transform, state.raster.fog, batch, vertices.varying[static_cast<std::size_t>(varyings.fog_coordinate)]);
   }
   project_to_window(state.viewport, vertices);
+  if (state.clip_planes.count > 0) test_clip_planes(state.clip_planes, vertices);
 }
 
 void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) {
@@ -377,6 +379,7 @@ void Renderer::Implementation::draw_samples(const DrawState& state, const Vertex
     }
     vertices.count = batch_count;
     project_to_window(viewport, vertices);
+    if (state.clip_planes.count > 0) test_clip_planes(state.clip_planes, vertices);
     stipple_count = stipple_before;
     draw_primitives(state, batch);
   }

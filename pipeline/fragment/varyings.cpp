@@ -112,7 +112,7 @@ HWY_INLINE void interpolate_perspective(FragmentBlock& block, const VaryingRecor
   }
 }
 
-void interpolate(FragmentBlock& block, const TileTarget&) {
+void interpolate_varyings(FragmentBlock& block, const TileTarget&) {
   const PrimitiveRecord& primitive = *block.primitive;
   const VaryingRecord& record = varyings_of(primitive);
   const auto count = static_cast<std::size_t>(primitive.binding->varyings.count);
@@ -123,13 +123,13 @@ void interpolate(FragmentBlock& block, const TileTarget&) {
   }
 }
 
-FragmentPass select() { return interpolate; }
+FragmentPass select_varyings() { return interpolate_varyings; }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
-FragmentPass varying_interpolation_pass() { return GOURAUD_SIMD_PICK(select)(); }
+FragmentPass varying_interpolation_pass() { return GOURAUD_SIMD_PICK(select_varyings)(); }
 }  // namespace gouraud::pipeline
 #endif

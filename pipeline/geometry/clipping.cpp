@@ -1,7 +1,7 @@
 // Takes primitives that lie partly outside the clip volume, gives the parts inside [GL1.5 §2.12].
 //
-// Triangles: Sutherland-Hodgman against those frustum planes that a vertex violates, in homogeneous clip space, so that
-// w <= 0 needs no special care. Colours and other attributes are interpolated along with the positions [GL1.5 §2.14.8].
+// Triangles: Sutherland-Hodgman against those planes that a vertex violates, the frustum's in homogeneous clip space, so
+// that w <= 0 needs no special care, then the user's in eye space. Colours and other attributes are interpolated along with the positions [GL1.5 §2.14.8].
 // Lines: the intersections come from exact sums, for nothing says how far outside a line may begin.
 #include "pipeline/geometry/clipping.h"
 
@@ -10,13 +10,21 @@
 #include <cstddef>
 #include <utility>
 
+#include "pipeline/geometry/clip_planes.h"
 #include "pipeline/geometry/viewport.h"
 
 namespace gouraud::pipeline {
 namespace {
 
-/// The planes in clipping order, as bits of the outcode; distances are positive inside.
-constexpr std::uint32_t plane_count = 6;
+/// The planes in clipping order: those of the frustum, as bits of the outcode, then the user's. Distances are positive
+/// inside.
+constexpr std::uint32_t frustum_planes = 6, plane_count = frustum_planes + max_clip_planes;
+
+bool is_outside(std::uint32_t outcode, std::uint32_t plane) {
+  constexpr std::uint32_t gap = 1;  // outside_invalid
+  static_assert(outside_clip_plane_0 == 1u << (frustum_planes + gap));
+  return (outcode >> (plane < frustum_planes ? plane : plane + gap) & 1) != 0;
+}
 
 /// The upper planes bound a coordinate by w, the lower ones by -w.
 bool is_upper(std::uint32_t plane) {
@@ -25,7 +33,10 @@ bool is_upper(std::uint32_t plane) {
 
 bool is_near(std::uint32_t plane) { return 1u << plane == outside_near; }
 
-float distance(const ProcessedVertices& vertices, std::uint16_t index, std::uint32_t plane) {
+float distance(const ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t index, std::uint32_t plane) {
+  if (plane >= frustum_planes) {
+    return static_cast<float>(distance_from(attributes.planes->plane_eye[plane - frustum_planes], vertices, index));
+  }
   const float coordinate = vertices.position_clip[plane / 2][index], w = vertices.position_clip[3][index];
   if (is_upper(plane)) return -coordinate + w;
   return coordinate + (is_near(plane) ? vertices.near_plane_w * w : w);
@@ -71,7 +82,8 @@ std::uint16_t add_vertex(ProcessedVertices& vertices, const ClipAttributes& attr
 /// Where the edge between an inside and an outside vertex meets the plane, measured from the nearer of the two.
 std::uint16_t intersect(ProcessedVertices& vertices, const ClipAttributes& attributes, std::uint16_t inside,
                         std::uint16_t outside, std::uint32_t plane) {
-  const float d_inside = distance(vertices, inside, plane), d_outside = distance(vertices, outside, plane);
+  const float d_inside = distance(vertices, attributes, inside, plane);
+  const float d_outside = distance(vertices, attributes, outside, plane);
   const bool from_outside = -d_outside < d_inside;
   const float t = from_outside ? d_outside / (d_outside - d_inside) : d_inside / (d_inside - d_outside);
   return add_vertex(vertices, attributes, from_outside ? outside : inside, from_outside ? inside : outside,
@@ -84,10 +96,10 @@ template <class Polygon>
 bool clip_to_plane(const Polygon& in, std::uint32_t plane, const ClipAttributes& attributes, std::int32_t room_end,
                    ProcessedVertices& vertices, Polygon& out) {
   out.size = 0;
-  float d = distance(vertices, in.vertex[0], plane);
+  float d = distance(vertices, attributes, in.vertex[0], plane);
   for (std::size_t i = 0; i < in.size; ++i) {
     const std::uint16_t here = in.vertex[i], next = in.vertex[i + 1 < in.size ? i + 1 : 0];
-    const float d_next = distance(vertices, next, plane);
+    const float d_next = distance(vertices, attributes, next, plane);
     if (!std::isfinite(d) || vertices.count >= room_end) return false;
     if (d >= 0) out.add(here, in.boundary[i]);
     // Leaving, the new edge runs along the plane; coming back, along the old edge.
@@ -105,7 +117,7 @@ bool clip_polygon(std::uint32_t outcodes, const ClipAttributes& attributes, std:
   if ((outcodes & outside_invalid) != 0) return false;
   Polygon clipped;
   for (std::uint32_t plane = 0; plane < plane_count; ++plane) {
-    if ((outcodes >> plane & 1) == 0) continue;
+    if (!is_outside(outcodes, plane)) continue;
     if (!clip_to_plane(polygon, plane, attributes, room_end, vertices, clipped)) return false;
     polygon = clipped;
   }
@@ -135,10 +147,12 @@ double exact_sum(const std::array<double, terms>& values) {
   return sum;
 }
 
-/// A line as the clipper of lines sees it. A product of two floats is exact in double, so that everything below is.
+/// A line as the clipper of lines sees it. A product of two floats is exact in double, so that everything below is;
+/// distances from the user's planes are rounded to double.
 class Line {
  public:
-  Line(const ProcessedVertices& vertices, const AssembledLine& line) : vertices_(vertices), line_(line) {}
+  Line(const ProcessedVertices& vertices, const ClipAttributes& attributes, const AssembledLine& line)
+      : vertices_(vertices), attributes_(attributes), line_(line) {}
 
   /// d_a(v0) d_b(v1) - d_b(v0) d_a(v1), with d the distances of the end points from the planes a and b.
   double cross(std::uint32_t a, std::uint32_t b) const {
@@ -160,30 +174,34 @@ class Line {
   std::uint32_t entry(std::size_t end) const {
     std::uint32_t last = plane_count;
     for (std::uint32_t plane = 0; plane < plane_count; ++plane) {
-      if ((vertices_.outcode[line_.vertex[end]] >> plane & 1) == 0) continue;
+      if (!is_outside(vertices_.outcode[line_.vertex[end]], plane)) continue;
       const bool later = last == plane_count || (end == 0 ? cross(last, plane) > 0 : cross(last, plane) < 0);
       if (later) last = plane;
     }
     return last;
   }
 
-  std::uint16_t add_vertex_at(std::uint32_t plane, const ClipAttributes& attributes, ProcessedVertices& out) const;
+  std::uint16_t add_vertex_at(std::uint32_t plane, ProcessedVertices& out) const;
 
  private:
   using Pair = std::array<double, 2>;  ///< an exact sum of two
 
   Pair distance(std::size_t end, std::uint32_t plane) const {
     const std::uint16_t index = line_.vertex[end];
+    if (plane >= frustum_planes) {
+      return {distance_from(attributes_.planes->plane_eye[plane - frustum_planes], vertices_, index), 0.0};
+    }
     const double coordinate = vertices_.position_clip[plane / 2][index], w = vertices_.position_clip[3][index];
     return {is_upper(plane) ? -coordinate : coordinate, is_near(plane) ? vertices_.near_plane_w * w : w};
   }
 
   const ProcessedVertices& vertices_;
+  const ClipAttributes& attributes_;
   const AssembledLine& line_;
 };
 
-std::uint16_t Line::add_vertex_at(std::uint32_t plane, const ClipAttributes& attributes, ProcessedVertices& out) const {
-  return add_vertex(out, attributes, line_.vertex[0], line_.vertex[1],
+std::uint16_t Line::add_vertex_at(std::uint32_t plane, ProcessedVertices& out) const {
+  return add_vertex(out, attributes_, line_.vertex[0], line_.vertex[1],
                     [&](float value0, float value1) { return at_plane(plane, value0, value1); });
 }
 
@@ -244,7 +262,7 @@ bool clip_line(AssembledLine& line, const ViewportState& viewport, const ClipAtt
                ProcessedVertices& vertices) {
   const std::uint32_t outcode0 = vertices.outcode[line.vertex[0]], outcode1 = vertices.outcode[line.vertex[1]];
   if ((outcode0 & outcode1) != 0 || ((outcode0 | outcode1) & outside_invalid) != 0) return false;
-  const Line uncut(vertices, line);
+  const Line uncut(vertices, attributes, line);
   const std::uint32_t entry = uncut.entry(0), exit = uncut.entry(1);
   const bool leaves_before_it_comes_in = entry != plane_count && exit != plane_count && uncut.cross(entry, exit) >= 0;
   if (leaves_before_it_comes_in) return false;
@@ -254,7 +272,7 @@ bool clip_line(AssembledLine& line, const ViewportState& viewport, const ClipAtt
   bool drawable = true;
   for (const auto& [end, plane] : {std::pair{std::size_t{0}, entry}, std::pair{std::size_t{1}, exit}}) {
     if (plane == plane_count) continue;
-    cut.vertex[end] = uncut.add_vertex_at(plane, attributes, vertices);
+    cut.vertex[end] = uncut.add_vertex_at(plane, vertices);
     drawable = drawable && project_vertex(viewport, vertices, cut.vertex[end]);
   }
   if (drawable) {

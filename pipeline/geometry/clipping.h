@@ -13,6 +13,7 @@ namespace gouraud::pipeline {
 struct ClipAttributes {
   bool eye = false, color_front = false, color_back = false, specular = false;
   int varyings = 0;  ///< how many of ProcessedVertices::varying
+  const ClipPlaneState* planes = nullptr;  ///< the user's, behind the frustum's; they need `eye`
 };
 
 /// Most vertices that one primitive can add: two a plane, of the frustum's six and the user's.

@@ -27,6 +27,7 @@ enum Outcode : std::uint16_t {
   outside_near = 1 << 4,    // z + w < 0 (z < 0: see near_plane_w)
   outside_far = 1 << 5,     // z > w
   outside_invalid = 1 << 6, // a coordinate is NaN or infinite: primitives that use the vertex are dropped
+  outside_clip_plane_0 = 1 << 7,  // the DrawState's first clip plane; the others' bits follow
 };
 
 /// A vertex in window space, as setup wants it.

@@ -76,10 +76,10 @@ HWY_INLINE V generate(const TextureCoordinateSource& source, std::size_t c, cons
   return hn::Zero(D());
 }
 
-bool reflects(TexgenMode mode) { return mode == TexgenMode::sphere_map || mode == TexgenMode::reflection_map; }
+HWY_INLINE bool reflects(TexgenMode mode) { return mode == TexgenMode::sphere_map || mode == TexgenMode::reflection_map; }
 
 /// Component c (4 at most, s, t, r, q) of the unit goes to out.varying[target[c]]; those that are -1 are not made.
-void make(const TextureCoordinateSource& source, const std::array<int, 4>& target, const VertexArray<4>& given,
+void make_coordinates(const TextureCoordinateSource& source, const std::array<int, 4>& target, const VertexArray<4>& given,
           const VertexBatch& batch, ProcessedVertices& out) {
   const D d;
   const F f;
@@ -106,7 +106,7 @@ void make(const TextureCoordinateSource& source, const std::array<int, 4>& targe
 }
 
 /// |z_eye| by the modelview's third row, with the bits of transform_to_eye.
-void distances(const glm::mat4& modelview, const VertexBatch& batch, float* out) {
+void fog_distances(const glm::mat4& modelview, const VertexBatch& batch, float* out) {
   const hn::CappedTag<float, 16> d;
   const auto& p = batch.position_object;
   const auto m0 = hn::Set(d, modelview[0][2]), m1 = hn::Set(d, modelview[1][2]);
@@ -166,7 +166,7 @@ void make_texture_coordinates(const TextureCoordinateSource& source, const Textu
     target[c] = next++;
     all_given = all_given && source.mode[c] == TexgenMode::given;
   }
-  if (!all_given) return GOURAUD_SIMD_PICK(make)(source, target, given, batch, out);
+  if (!all_given) return GOURAUD_SIMD_PICK(make_coordinates)(source, target, given, batch, out);
   for (std::size_t c = 0; c < 4; ++c) {
     if (target[c] < 0) continue;
     std::copy_n(given[c].data(), batch.count, out.varying[static_cast<std::size_t>(target[c])].data());
@@ -178,7 +178,7 @@ void make_fog_coordinates(const TransformState& transform, const FogState& fog, 
   if (fog.from_coordinate) {
     std::copy_n(batch.fog_coordinate[0].data(), batch.count, out.data());
   } else {
-    GOURAUD_SIMD_PICK(distances)(transform.modelview, batch, out.data());
+    GOURAUD_SIMD_PICK(fog_distances)(transform.modelview, batch, out.data());
   }
 }
 
