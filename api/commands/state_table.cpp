@@ -20,8 +20,13 @@ std::vector<StateRow> sorted_rows() {
 
 }  // namespace
 
-const StateRow* find_state_row(GLenum pname) {
+std::span<const StateRow> state_rows() {
   static const std::vector<StateRow> rows = sorted_rows();
+  return rows;
+}
+
+const StateRow* find_state_row(GLenum pname) {
+  const std::span<const StateRow> rows = state_rows();
   const auto found = std::lower_bound(rows.begin(), rows.end(), pname,
                                       [](const StateRow& row, GLenum name) { return row.pname < name; });
   return found != rows.end() && found->pname == pname ? &*found : nullptr;

@@ -30,6 +30,8 @@ struct StateRow {
 
 /// The row of `pname` or null.
 const StateRow* find_state_row(GLenum pname);
+/// All rows, sorted by pname.
+std::span<const StateRow> state_rows();
 
 /// The rows, one list a chapter; none has a pname of another.
 std::span<const StateRow> vertex_state_rows();    // current values, matrices, viewport, lighting

@@ -28,6 +28,8 @@ def generated_files(registry, handlers):
         "include/GL/glext.h": headers.glext_h(registry),
         "table/gl_table.h": headers.gl_table_h(registry),
         "table/gl_table.cpp": headers.gl_table_cpp(registry),
+        "table/gl_commands.h": headers.GL_COMMANDS_H,
+        "table/gl_commands.cpp": headers.gl_commands_cpp(registry),
         "entries/enum_groups.h": enum_tables.enum_groups_h(registry),
         "entries/enum_table.cpp": enum_tables.enum_table_cpp(registry),
         "entries/extension_names.h": headers.extension_names_h(registry),

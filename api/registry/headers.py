@@ -1,4 +1,6 @@
-"""Writes GL/gl.h, GL/glext.h and the conformance suite's table of function pointers."""
+"""Writes GL/gl.h, GL/glext.h and the conformance suite's tables of function pointers and of commands."""
+
+import families
 
 PRELUDE = """\
 #ifndef __gl_h_
@@ -161,6 +163,112 @@ bool load(GlTable& table, void* (*get_proc_address)(const char*)) {{
 
 }}  // namespace gouraud
 """
+
+
+# What a parameter of a command takes, as one letter; the C++ types below these names are not told apart.
+_KINDS = {"GLenum": "e", "GLbitfield": "m", "GLboolean": "b", "GLuint": "u", "GLint": "i", "GLsizei": "s", "GLfloat": "f",
+          "GLclampf": "f", "GLdouble": "d", "GLclampd": "d", "GLintptr": "n", "GLsizeiptr": "n"}
+
+
+def kinds(command):
+    """The kinds of a command's parameters: "ee" of BlendFunc. What has no letter of its own is a small integer, "i"."""
+    return "".join("p" if param.is_pointer else _KINDS.get(param.type, "i") for param in command.params)
+
+
+GL_COMMANDS_H = """\
+// Every command of the GL as a row that can be called with arguments found at run time: what tests go through.
+// Written by api/registry/generate.py from gl.xml.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <type_traits>
+
+#include "gl_table.h"
+
+namespace gouraud {
+
+/// An argument: its number, or its pointer where the parameter is one.
+struct CommandArgument {
+  double number = 0;
+  void* pointer = nullptr;
+
+  CommandArgument() = default;
+  CommandArgument(double value) : number(value) {}
+  CommandArgument(void* address) : pointer(address) {}
+
+  /// As the parameter's type: the nearest value of it; integers beyond it keep their low bits, as in C.
+  template <class T>
+  T as() const {
+    using Limits = std::numeric_limits<T>;
+    if constexpr (std::is_pointer_v<T>) {
+      return static_cast<T>(pointer);
+    } else if constexpr (std::is_floating_point_v<T>) {
+      const bool beyond = std::isfinite(number) && std::abs(number) > static_cast<double>(Limits::max());
+      return beyond ? static_cast<T>(std::copysign(Limits::max(), number)) : static_cast<T>(number);
+    } else {
+      if (!(std::abs(number) < 9.2e18)) return number > 0 ? Limits::max() : Limits::min();
+      return static_cast<T>(static_cast<std::int64_t>(number));
+    }
+  }
+};
+
+struct CommandRow {
+  const char* name;  // without the prefix gl
+  /// A letter a parameter: e enum, m bits, b boolean, u, i and s (size) integers, n offset or size of a buffer, f float,
+  /// d double, p pointer.
+  const char* parameters;
+  bool core;                    // of GL 1.0-1.5
+  bool legal_inside_begin_end;  // [GL1.5 §2.6.3]
+  void (*call)(const GlTable& gl, const CommandArgument* arguments);
+};
+
+/// All of them, aliases as well.
+std::span<const CommandRow> command_rows();
+
+}  // namespace gouraud
+"""
+
+
+def gl_commands_cpp(registry):
+    core = {command.name for command in registry.core}
+    primary = {alias: command.name for command in registry.commands.values() for alias in command.aliases}
+    rows = "".join(_command_row(name, command, name in core, primary.get(name, name))
+                   for name, command in registry.signatures.items())
+    return f"""\
+// Written by api/registry/generate.py from gl.xml.
+#include "gl_commands.h"
+
+namespace gouraud {{
+namespace {{
+
+using Arguments = const CommandArgument*;
+
+const CommandRow rows[] = {{
+{rows}}};
+
+}}  // namespace
+
+std::span<const CommandRow> command_rows() {{
+  return rows;
+}}
+
+}}  // namespace gouraud
+"""
+
+
+def _command_row(name, command, core, primary):
+    values = ", ".join(f"a[{i}].as<{param.type}>()" for i, param in enumerate(command.params))
+    legal = families.legal_inside_begin_end(primary)
+    argument = " a" if command.params else ""
+    return (f'    {{"{name}", "{kinds(command)}", {_boolean(core)}, {_boolean(legal)},\n'
+            f"     [](const GlTable& gl, Arguments{argument}) {{ gl.{name}({values}); }}}},\n")
+
+
+def _boolean(value):
+    return "true" if value else "false"
 
 
 def _member(name, command):

@@ -2,7 +2,6 @@
 #include "pipeline/draw/renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <thread>
@@ -134,7 +133,6 @@ struct Renderer::Implementation {
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
-  alignas(64) std::array<std::byte, setup_batch * largest_waiting> selected;  ///< of those, the ones to draw
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
@@ -194,9 +192,11 @@ void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
   const std::size_t bytes = waiting_size(*setup);
-  const std::size_t count = select_triangles(*setup, vertices, ready, selected.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(selected.data() + i * bytes);
+  auto* waiting = static_cast<std::byte*>(bins.allocate(ready.size() * bytes));
+  const std::size_t selected = select_triangles(*setup, vertices, ready, waiting);
+  bins.take_back((ready.size() - selected) * bytes);
+  for (std::size_t i = 0; i < selected; ++i) {
+    const auto& triangle = *reinterpret_cast<WaitingTriangle*>(waiting + i * bytes);
     setup->polygons.smooth ? add_smooth_triangle(triangle) : bins.add_triangle(triangle);
   }
   ready.clear();
@@ -273,9 +273,10 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
 void Renderer::Implementation::draw_clipped_line(const AssembledLine& line) {
   if (setup->lines.smooth) return draw_smooth_line(line);
   if (plain_lines && line.depth_offset == 0) {
-    WaitingLine waiting;
-    const LinePixels found = select_line(*setup, vertices, line, waiting);
-    if (found == LinePixels::edges) return bins.add_line(waiting);
+    auto* waiting = static_cast<WaitingLine*>(bins.allocate(sizeof(WaitingLine)));
+    const LinePixels found = select_line(*setup, vertices, line, *waiting);
+    if (found == LinePixels::edges) return bins.add_line(*waiting);
+    bins.take_back(sizeof(WaitingLine));
     if (found == LinePixels::none) return;
   }
   const std::size_t bytes = record_size(*setup);

@@ -73,7 +73,6 @@ inline std::size_t waiting_size(const SetupState& state) {
   const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
   return sizeof(WaitingTriangle) + (3 * varyings * sizeof(float) + 63) / 64 * 64;
 }
-inline constexpr std::size_t largest_waiting = sizeof(WaitingTriangle) + (3 * max_varyings * sizeof(float) + 63) / 64 * 64;
 inline float* varyings_of(WaitingTriangle& triangle) { return reinterpret_cast<float*>(&triangle + 1); }
 inline const float* varyings_of(const WaitingTriangle& triangle) { return reinterpret_cast<const float*>(&triangle + 1); }
 
