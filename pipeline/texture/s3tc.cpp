@@ -57,7 +57,7 @@ std::array<int, 8> alpha_palette(int alpha0, int alpha1) {
 
 void decode_colors(S3tcFormat format, const std::byte* block, TexelBlock& texels) {
   const bool dxt1 = format == S3tcFormat::dxt1_rgb || format == S3tcFormat::dxt1_rgba;
-  std::array<Rgb, 4> palette;
+  std::array<Rgb, 4> palette{};
   const bool transparent = make_palette(static_cast<unsigned>(little_endian(block, 2)),
                                         static_cast<unsigned>(little_endian(block + 2, 2)), !dxt1, palette);
   const std::uint64_t codes = little_endian(block + 4, 4);
@@ -130,13 +130,13 @@ void encode_colors(S3tcFormat format, const TexelBlock& texels, std::byte* block
       if (texels[4 * i + 3] < 128) opaque &= ~(1u << i);
     }
   }
-  Rgb low, high;
+  Rgb low{}, high{};
   find_ends(texels, opaque, low, high);
   unsigned color0 = to_565(high), color1 = to_565(low);
   const bool three = opaque != 0xFFFF;  // colours, and transparent black
   if (three ? color0 > color1 : color0 < color1) std::swap(color0, color1);
 
-  std::array<Rgb, 4> palette;
+  std::array<Rgb, 4> palette{};
   const bool always_four = format == S3tcFormat::dxt3 || format == S3tcFormat::dxt5;
   const std::size_t choices = make_palette(color0, color1, always_four, palette) ? 3 : 4;
   std::uint64_t codes = 0;
