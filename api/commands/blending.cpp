@@ -47,6 +47,17 @@ void set_factors(Context& context, const char* command, GLenum source_rgb, GLenu
   context.change(dirty_raster);
 }
 
+bool is_equation(GLenum mode) {
+  return mode == GL_FUNC_ADD || mode == GL_FUNC_SUBTRACT || mode == GL_FUNC_REVERSE_SUBTRACT || mode == GL_MIN || mode == GL_MAX;
+}
+
+void set_equations(Context& context, const char* command, GLenum rgb, GLenum alpha) {
+  if (!is_equation(rgb) || !is_equation(alpha)) return context.record_error(GL_INVALID_ENUM, command, "mode is unknown");
+  context.state.color_buffer.blend.equation_rgb = rgb;
+  context.state.color_buffer.blend.equation_alpha = alpha;
+  context.change(dirty_raster);
+}
+
 }  // namespace
 
 void AlphaFunc(Context& context, GLenum func, GLfloat ref) {
@@ -67,12 +78,11 @@ void BlendFuncSeparate(Context& context, GLenum sfactorRGB, GLenum dfactorRGB, G
 }
 
 void BlendEquation(Context& context, GLenum mode) {
-  if (mode != GL_FUNC_ADD && mode != GL_FUNC_SUBTRACT && mode != GL_FUNC_REVERSE_SUBTRACT && mode != GL_MIN &&
-      mode != GL_MAX) {
-    return context.record_error(GL_INVALID_ENUM, "glBlendEquation", "mode is unknown");
-  }
-  context.state.color_buffer.blend.equation = mode;
-  context.change(dirty_raster);
+  set_equations(context, "glBlendEquation", mode, mode);
+}
+
+void BlendEquationSeparateEXT(Context& context, GLenum modeRGB, GLenum modeAlpha) {
+  set_equations(context, "glBlendEquationSeparateEXT", modeRGB, modeAlpha);
 }
 
 void BlendColor(Context& context, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {

@@ -16,6 +16,8 @@ void BlendFuncSeparate(Context& context, GLenum sfactorRGB, GLenum dfactorRGB, G
 
 /// GL_INVALID_ENUM for an unknown equation.
 void BlendEquation(Context& context, GLenum mode);
+/// Another equation for alpha than for R, G and B [EXT_blend_equation_separate].
+void BlendEquationSeparateEXT(Context& context, GLenum modeRGB, GLenum modeAlpha);
 
 /// Clamped to [0, 1].
 void BlendColor(Context& context, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);

@@ -30,6 +30,13 @@ const std::byte* execute_with_pixel_store(Context& context, const std::byte* pay
   return end;
 }
 
+// A draw is one command: between Begin and End it does nothing but fail [GL1.5 §2.6.3].
+const std::byte* execute_draw(Context& context, const std::byte* payload, const std::byte* next) {
+  if (!context.inside_begin_end()) return next;
+  context.record_error(GL_INVALID_OPERATION, "glCallList", "a draw from vertex arrays between glBegin and glEnd");
+  return next + *reinterpret_cast<const std::uint64_t*>(payload);
+}
+
 // Gives the address of the entry that follows.
 const std::byte* execute_entry(Context& context, ListEntry entry, const std::byte* payload) {
   const std::byte* const next = payload + entry.payload_bytes;
@@ -41,6 +48,8 @@ const std::byte* execute_entry(Context& context, ListEntry entry, const std::byt
     case ListTag::vertices:
       replay(context, *reinterpret_cast<const VertexRun*>(payload));
       return next;
+    case ListTag::draw:
+      return execute_draw(context, payload, next);
     case ListTag::with_pixel_store:
       return execute_with_pixel_store(context, payload, next);
     default:

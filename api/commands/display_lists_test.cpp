@@ -475,5 +475,25 @@ TEST_F(DisplayListsTest, VertexArraysAreReadWhenTheyAreCompiled) {
   }
 }
 
+TEST(DisplayLists, DrawsFromArraysBetweenBeginAndEndFailAsAWhole) {
+  Screen screen;
+  const GLfloat corners[] = {-1, -1, 1, -1, 1, 1, -1, 1};
+  glVertexPointer(2, GL_FLOAT, 0, corners);
+  for (const bool has_vertices : {true, false}) {
+    has_vertices ? glEnableClientState(GL_VERTEX_ARRAY) : glDisableClientState(GL_VERTEX_ARRAY);
+    glNewList(1, GL_COMPILE);
+    glDrawArrays(GL_QUADS, 0, 4);
+    glEndList();
+    glClear(GL_COLOR_BUFFER_BIT);
+    glBegin(GL_QUADS);
+    glCallList(1);
+    EXPECT_TRUE(screen.context.inside_begin_end());
+    glEnd();
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+    EXPECT_EQ(screen.pixels()[100], 0u);
+  }
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+}
+
 }  // namespace
 }  // namespace gouraud::api

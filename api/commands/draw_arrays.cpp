@@ -190,21 +190,46 @@ void append_shared(Context& context, const Sources& sources, std::uintptr_t coun
   shared.finish();
 }
 
+// The entries that `record` appends to the open list are one command there.
+template <class Record>
+void record_draw(Context& context, Record record) {
+  ListCompiler& compiler = context.list_compiler;
+  if (compiler.mode == GL_COMPILE_AND_EXECUTE && context.inside_begin_end()) {
+    return context.record_error(GL_INVALID_OPERATION, "glDrawArrays", "between glBegin and glEnd");
+  }
+  std::size_t offset = 0;
+  try {
+    offset = compiler.list.size();
+    compiler.run_begin = ListCompiler::none;
+    compiler.list.append(ListTag::draw, sizeof(std::uint64_t));
+  } catch (const std::bad_alloc&) {
+    compiler.out_of_memory = true;
+    compiler.list = {};
+  }
+  record();
+  if (compiler.out_of_memory) return;
+  const std::uint64_t bytes = compiler.list.size() - offset - sizeof(ListEntry) - sizeof(std::uint64_t);
+  compiler.list.rewrite(offset, &bytes, sizeof(bytes));
+}
+
 /// Whether elements may be named more than once.
 enum class Elements : std::uint8_t { once, shared };
 
 template <Elements kind, class Number>
 void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t count, Number number) {
-  if (!sources.has(array_vertex) || count == 0) return;
   if (context.compiling()) {
-    glBegin(mode);
-    for (std::uintptr_t done = 0; done < count; ++done) {
-      GLuint element;
-      number(done, {&element, 1});
-      record_element(sources, element);
-    }
-    return glEnd();
+    return record_draw(context, [&] {
+      if (!sources.has(array_vertex) || count == 0) return;
+      glBegin(mode);
+      for (std::uintptr_t done = 0; done < count; ++done) {
+        GLuint element;
+        number(done, {&element, 1});
+        record_element(sources, element);
+      }
+      glEnd();
+    });
   }
+  if (!sources.has(array_vertex) || count == 0) return;
   if (!context.can_draw("glDrawArrays")) return;
   const CurrentGroup before = context.state.current;
   constexpr bool indexed = kind == Elements::shared;
@@ -230,6 +255,11 @@ bool is_count(Context& context, GLsizei count, const char* command) {
   if (count >= 0) return true;
   context.record_error(GL_INVALID_VALUE, command, "count is negative");
   return false;
+}
+
+// choice: a negative count fails, and nothing is drawn, as Mesa has it and later specifications say.
+bool are_counts(Context& context, const GLsizei* counts, GLsizei draws, const char* command) {
+  return std::none_of(counts, counts + draws, [](GLsizei count) { return count < 0; }) || is_count(context, -1, command);
 }
 
 // first >= 0.
@@ -328,11 +358,14 @@ void DrawArrays(Context& context, GLenum mode, GLint first, GLsizei count) {
 
 void MultiDrawArrays(Context& context, GLenum mode, const GLint* first, const GLsizei* count, GLsizei drawcount) {
   constexpr auto command = "glMultiDrawArrays";
-  if (!is_mode(context, mode, command) || !is_count(context, drawcount, command)) return;
+  if (!is_mode(context, mode, command) || !is_count(context, drawcount, command) ||
+      !are_counts(context, count, drawcount, command)) {
+    return;
+  }
   Sources sources;
   if (!collect(context, command, sources)) return;
   for (GLsizei i = 0; i < drawcount; ++i) {
-    if (count[i] <= 0) continue;
+    if (count[i] == 0) continue;
     if (first[i] < 0) {
       context.record_error(GL_INVALID_VALUE, command, "first is negative");
     } else {
@@ -356,7 +389,7 @@ void MultiDrawElements(Context& context, GLenum mode, const GLsizei* count, GLen
                        GLsizei drawcount) {
   constexpr auto command = "glMultiDrawElements";
   if (!is_mode(context, mode, command) || !is_count(context, drawcount, command) ||
-      !is_index_type(context, type, command)) {
+      !is_index_type(context, type, command) || !are_counts(context, count, drawcount, command)) {
     return;
   }
   Sources sources;

@@ -8,6 +8,11 @@ namespace gouraud::api {
 namespace {
 
 void set_enabled(Context& context, GLenum cap, bool enabled, const char* command) {
+  // choice: the arrays as well, as EXT_vertex_array had it and Mesa has it still.
+  if (VertexArray* const array = find_array(context.state.vertex_arrays, cap)) {
+    array->enabled = enabled;
+    return;
+  }
   const Capability capability = find_capability(context.state, cap);
   if (capability.flag == nullptr) return context.record_error(GL_INVALID_ENUM, command, "cap is unknown");
   if (*capability.flag == enabled) return;

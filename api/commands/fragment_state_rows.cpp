@@ -80,7 +80,8 @@ constexpr StateRow rows[] = {
     {GL_BLEND_DST_RGB, integer, 1, read_blend<&Blending::destination_rgb>},
     {GL_BLEND_SRC_ALPHA, integer, 1, read_blend<&Blending::source_alpha>},
     {GL_BLEND_DST_ALPHA, integer, 1, read_blend<&Blending::destination_alpha>},
-    {GL_BLEND_EQUATION, integer, 1, read_blend<&Blending::equation>},
+    {GL_BLEND_EQUATION, integer, 1, read_blend<&Blending::equation_rgb>},  // and of R, G, B alone
+    {GL_BLEND_EQUATION_ALPHA_EXT, integer, 1, read_blend<&Blending::equation_alpha>},
     {GL_BLEND_COLOR, normalized, 4, read_blend<&Blending::constant>},
     {GL_LOGIC_OP_MODE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.color_buffer.logic_op); }},
     {GL_DEPTH_FUNC, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.depth.func); }},

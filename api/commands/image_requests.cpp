@@ -8,6 +8,8 @@ namespace {
 
 /// choice: no image is larger than 4 GiB, so that a proxy can say no before the machine does.
 constexpr std::uint64_t max_image_bytes = std::uint64_t{1} << 32;
+/// The sampler counts an image's texels in 32 bits, and bytes of four to a texel.
+constexpr std::uint64_t max_image_texels = std::uint64_t{1} << 28;
 
 int target_dimensions(TextureTarget target) {
   return target == TextureTarget::one_d ? 1 : target == TextureTarget::three_d ? 3 : 2;
@@ -74,7 +76,7 @@ Fit fit(const ImageRequest& request, TextureTarget target, const StoredFormat& f
   const auto texels = static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height) *
                       static_cast<std::uint64_t>(request.depth);
   const auto bytes = texels * static_cast<std::uint64_t>(pipeline::bytes_per_texel(format.texels));
-  return bytes <= max_image_bytes ? Fit::fits : Fit::no_memory;
+  return bytes <= max_image_bytes && texels <= max_image_texels ? Fit::fits : Fit::no_memory;
 }
 
 pipeline::Image make_image(const ImageRequest& request, const StoredFormat& format) {

@@ -59,7 +59,7 @@ TEST(Queries, ConvertToEveryType) {
   GetFloatv(c, GL_CULL_FACE_MODE, f);
   EXPECT_EQ(f[0], static_cast<GLfloat>(GL_BACK));
   PointSize(c, 2.5f);
-  EXPECT_EQ(integer(c, GL_POINT_SIZE), 2);
+  EXPECT_EQ(integer(c, GL_POINT_SIZE), 3);
 }
 
 TEST(Queries, GiveMatricesInBothOrders) {

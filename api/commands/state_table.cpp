@@ -37,7 +37,7 @@ GLint to_integer(double value, ValueKind kind) {
   if (kind == ValueKind::normalized) value = (4294967295.0 * value - 1.0) / 2.0;  // [GL1.5 Table 4.6]
   if (value >= 2147483647.0) return 2147483647;
   if (value <= -2147483648.0) return -2147483647 - 1;
-  return static_cast<GLint>(std::nearbyint(value));
+  return static_cast<GLint>(std::floor(value + 0.5));  // whatever rounding mode the program has set
 }
 
 }  // namespace gouraud::api

@@ -92,6 +92,8 @@ bool find_layout(Context& context, const char* command, const Image& image, GLen
     return false;
   }
   if (!find_pixel_layout(context, command, format, type, layout)) return false;
+  // choice: luminance is R, as Mesa has it and later specifications say; only ReadPixels adds R, G and B.
+  for (std::uint8_t& channel : layout.channel) channel = channel == channel_luminance ? 0 : channel;
   const bool wants_depth = layout.kind == PixelKind::depth || layout.kind == PixelKind::depth_stencil;
   if (image.empty() || wants_depth == (image.base_format == pipeline::BaseFormat::depth)) return true;
   context.record_error(GL_INVALID_OPERATION, command, "depth goes with depth alone");

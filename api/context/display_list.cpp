@@ -22,6 +22,10 @@ void DisplayList::make_room(std::size_t bytes) {
   if (needed > bytes_.capacity()) bytes_.reserve(std::max(needed, 2 * bytes_.capacity()));
 }
 
+void DisplayList::rewrite(std::size_t offset, const void* payload, std::size_t bytes) {
+  std::memcpy(bytes_.data() + offset + sizeof(ListEntry), payload, bytes);
+}
+
 const void* DisplayList::keep(const void* client_memory, std::size_t bytes) {
   client_memory_.push_back(std::make_unique_for_overwrite<std::byte[]>(bytes));
   std::memcpy(client_memory_.back().get(), client_memory, bytes);

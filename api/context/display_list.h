@@ -28,6 +28,7 @@ enum class ListTag : std::uint16_t {
   texture_coordinates,  ///< of unit 0; unit k's tag is k more
   last_value = texture_coordinates + max_texture_units - 1,
   vertices,          ///< a whole Begin/End that holds only the above: a VertexRun (commands/vertex_run.h)
+  draw,              ///< a draw from vertex arrays is made of the entries in so many bytes (std::uint64_t) that follow
   with_pixel_store,  ///< the PixelStore for the command that follows
 };
 
@@ -52,6 +53,8 @@ class DisplayList {
   std::byte* append(ListTag tag, std::size_t bytes);
   /// A copy that lives as long as the list. Throws std::bad_alloc.
   const void* keep(const void* client_memory, std::size_t bytes);
+  /// Writes over the payload of the entry at this offset.
+  void rewrite(std::size_t offset, const void* payload, std::size_t bytes);
   /// Drops the entries from this offset on.
   void truncate(std::size_t offset) { bytes_.resize(offset); }
   void shrink_to_fit() { bytes_.shrink_to_fit(); }

@@ -47,13 +47,13 @@ pipeline::AlphaTestState alpha_test_state(const ColorBufferGroup& group) {
 pipeline::BlendState blend_state(const ColorBufferGroup& group, std::uint8_t color_write_mask) {
   const Blending& blend = group.blend;
   if (!blend.enabled || group.logic_op_enabled) return {};
-  const BlendEquation equation = blend_equation(blend.equation);
   pipeline::BlendState result;
   if ((color_write_mask & 7) != 0) {
-    result.rgb = canonical({equation, blend_factor(blend.source_rgb), blend_factor(blend.destination_rgb)});
+    result.rgb = canonical({blend_equation(blend.equation_rgb), blend_factor(blend.source_rgb),
+                            blend_factor(blend.destination_rgb)});
   }
   if ((color_write_mask & 8) != 0) {
-    result.alpha = canonical({equation, alpha_factor(blend_factor(blend.source_alpha)),
+    result.alpha = canonical({blend_equation(blend.equation_alpha), alpha_factor(blend_factor(blend.source_alpha)),
                               alpha_factor(blend_factor(blend.destination_alpha))});
   }
   result.enabled = result.rgb != BlendTerms() || result.alpha != BlendTerms();

@@ -73,13 +73,14 @@ struct View {
     return state.color_buffer.blend.enabled && !state.color_buffer.logic_op_enabled && writes_colors();
   }
   bool takes_factors() const {
-    const GLenum equation = state.color_buffer.blend.equation;
-    return can_blend() && equation != GL_MIN && equation != GL_MAX;
+    const Blending& b = state.color_buffer.blend;
+    const auto takes = [](GLenum equation) { return equation != GL_MIN && equation != GL_MAX; };
+    return can_blend() && takes(b.equation_rgb) && b.equation_alpha == b.equation_rgb;
   }
   /// Blending that would leave another color than replacing, were it on.
   bool would_blend() const {
     const Blending& b = state.color_buffer.blend;
-    const bool factors = b.equation == GL_FUNC_ADD;
+    const bool factors = b.equation_rgb == GL_FUNC_ADD;
     return (writes_rgb() && !(factors && b.source_rgb == GL_ONE && b.destination_rgb == GL_ZERO)) ||
            (writes_alpha() && !(factors && b.source_alpha == GL_ONE && b.destination_alpha == GL_ZERO));
   }
@@ -433,8 +434,8 @@ void add_blending(std::vector<Parameter>& list) {
   factor("destination alpha", &Blending::destination_alpha, &View::writes_alpha);
   list.push_back({"blend equation",
                   [](State& s, Random& r) {
-                    GLenum& now = s.color_buffer.blend.equation;
-                    now = other(r, now, {GL_FUNC_ADD, GL_MIN, GL_MAX});
+                    Blending& b = s.color_buffer.blend;
+                    b.equation_rgb = b.equation_alpha = other(r, b.equation_rgb, {GL_FUNC_ADD, GL_MIN, GL_MAX});
                   },
                   [](const View& v) { return v.can_blend(); }});
   list.push_back({"blend color", [](State& s, Random& r) { s.color_buffer.blend.constant = color(r); },

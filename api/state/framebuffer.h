@@ -70,7 +70,7 @@ struct Blending {
   bool enabled = false;
   GLenum source_rgb = GL_ONE, destination_rgb = GL_ZERO;
   GLenum source_alpha = GL_ONE, destination_alpha = GL_ZERO;
-  GLenum equation = GL_FUNC_ADD;
+  GLenum equation_rgb = GL_FUNC_ADD, equation_alpha = GL_FUNC_ADD;
   glm::vec4 constant{0.0f};  ///< in [0, 1]
   bool operator==(const Blending&) const = default;
 };

@@ -227,6 +227,9 @@ void rasterize_smooth(const FragmentSink& sink, const std::array<WindowVertex, 3
 
 }  // namespace
 
+/// r in steps of the depth buffer: two, as Mesa's (MESA-RULES 4.4).
+constexpr double offset_unit = 2.0;
+
 double polygon_offset(const pipeline::PolygonState& state, int depth_bits, const std::array<WindowVertex, 3>& vertices) {
   const auto& [a, b, c] = vertices;
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
@@ -236,7 +239,7 @@ double polygon_offset(const pipeline::PolygonState& state, int depth_bits, const
     const double dy = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / area;
     slope = std::max(std::abs(dx), std::abs(dy));
   }
-  return slope * static_cast<double>(state.offset_factor) + static_cast<double>(state.offset_units) / depth_units_of(depth_bits);
+  return slope * static_cast<double>(state.offset_factor) + offset_unit * static_cast<double>(state.offset_units) / depth_units_of(depth_bits);
 }
 
 void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) {

@@ -60,8 +60,6 @@ struct Plan {
   FragmentPasses fragment{};
   bool operator==(const Plan&) const = default;
 
-  /// Whether the texture pass gives the colours their scale. Else the passes behind it get unscaled colours and do.
-  bool textures_finish_colors() const { return textured && !fog && secondary_color != SecondaryColor::interpolated; }
 };
 
 /// Pure and cheap (no allocation): called whenever the state changed.

@@ -143,8 +143,7 @@ struct Renderer::Implementation {
 void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings) {
   RasterBinding binding{state.raster, plan.fragment, varyings, plan.colors, nullptr, nullptr};
   if (plan.textured) {
-    const float scale = plan.textures_finish_colors() ? color_scale(bins.target()->color_format) : 1.0f;
-    const TileBins::InternedTextures& textures = bins.intern(state.texturing, scale);
+    const TileBins::InternedTextures& textures = bins.intern(state.texturing, color_scale(bins.target()->color_format));
     binding.texturing = &textures.state;
     binding.texture_units = &textures.units;
   }

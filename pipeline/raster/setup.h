@@ -105,9 +105,10 @@ double depth_offset(const SetupState& state, const ProcessedVertices& vertices, 
 
 /// The offset in buffer units of a triangle with these slopes (in buffer units a pixel) and largest depth; at most the
 /// whole range of depths.
-/// choice: m is the larger of both slopes (eq 3.8). r is one step of an integer buffer: depths are the exact planes
-/// rounded once, so what differs by a step stays apart (Mesa: two steps, MESA-RULES 4.4). Of a floating-point buffer it
-/// is a step at the largest depth of the polygon.
+/// choice: m is the larger of both slopes (eq 3.8). r is two steps of an integer buffer, as Mesa's (MESA-RULES 4.4): one
+/// would keep depths apart, but programs have tuned their units to two. Of a floating-point buffer it is two steps at the
+/// largest depth of the polygon.
+inline constexpr double offset_unit = 2.0;
 double depth_offset(const PolygonState& state, const PlaneTargets& targets, double dx, double dy, double largest_depth);
 
 /// The smooth shape of a triangle that select_triangles chose.
