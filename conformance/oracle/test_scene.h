@@ -41,6 +41,7 @@ inline void append(pipeline::VertexBatch& batch, const TestVertex& vertex) {
     batch.position_object[k][i] = vertex.position[k];
     batch.color[k][i] = vertex.color[k];
   }
+  batch.edge_flag[i] = 1;
   for (std::size_t k = 0; k < 3; ++k) batch.normal_object[k][i] = vertex.normal[k];
 }
 
