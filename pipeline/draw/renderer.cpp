@@ -2,8 +2,10 @@
 #include "pipeline/draw/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -101,6 +103,7 @@ struct Renderer::Implementation {
   void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
+  void keep_vertices_of(WaitingTriangle& triangle);
   void add_smooth_triangle(const WaitingTriangle& triangle);
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
@@ -133,6 +136,8 @@ struct Renderer::Implementation {
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
+  std::array<WaitingTriangle, setup_batch> selected;  ///< of those, the ones to draw
+  std::array<const KeptVertices*, 2> batch_vertices{};  ///< the batch's, of front and back faces; null until one is drawn
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
@@ -190,15 +195,30 @@ void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) 
 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
-  const std::size_t bytes = waiting_size(*setup);
-  auto* waiting = static_cast<std::byte*>(bins.allocate(ready.size() * bytes));
-  const std::size_t selected = select_triangles(*setup, vertices, ready, waiting);
-  bins.take_back((ready.size() - selected) * bytes);
-  for (std::size_t i = 0; i < selected; ++i) {
-    const auto& triangle = *reinterpret_cast<WaitingTriangle*>(waiting + i * bytes);
+  const std::size_t count = select_triangles(*setup, vertices, ready, selected.data());
+  for (WaitingTriangle& triangle : std::span(selected).first(count)) {
+    keep_vertices_of(triangle);
     setup->polygons.smooth ? add_smooth_triangle(triangle) : bins.add_triangle(triangle);
   }
   ready.clear();
+}
+
+/// Those of the batch, which are kept once. The clipper's are soon overwritten: a triangle with one of them has its own.
+void Renderer::Implementation::keep_vertices_of(WaitingTriangle& triangle) {
+  const bool back = triangle.back && setup->two_sided;
+  const std::array<std::uint16_t, 4> own{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2], triangle.shading};
+  if (*std::max_element(own.begin(), own.end()) >= batch_count) {
+    triangle.vertices = keep_vertices(*setup, vertices, own, back, bins.allocate(kept_size(*setup, own.size())));
+    triangle.vertex = {0, 1, 2};
+    triangle.shading = 3;
+    return;
+  }
+  const KeptVertices*& of_batch = batch_vertices[back ? 1 : 0];
+  if (of_batch == nullptr) {
+    const auto count = static_cast<std::size_t>(batch_count);
+    of_batch = keep_vertices(*setup, vertices, count, back, bins.allocate(kept_size(*setup, count)));
+  }
+  triangle.vertices = of_batch;
 }
 
 /// choice: the triangles of a quad or polygon are smooth each for itself [GL1.5 §3.5.3]: along their common edges the
@@ -272,10 +292,9 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
 void Renderer::Implementation::draw_clipped_line(const AssembledLine& line) {
   if (setup->lines.smooth) return draw_smooth_line(line);
   if (plain_lines && line.depth_offset == 0) {
-    auto* waiting = static_cast<WaitingLine*>(bins.allocate(sizeof(WaitingLine)));
-    const LinePixels found = select_line(*setup, vertices, line, *waiting);
-    if (found == LinePixels::edges) return bins.add_line(*waiting);
-    bins.take_back(sizeof(WaitingLine));
+    WaitingLine waiting;
+    const LinePixels found = select_line(*setup, vertices, line, waiting);
+    if (found == LinePixels::edges) return bins.add_line(waiting);
     if (found == LinePixels::none) return;
   }
   const std::size_t bytes = record_size(*setup);
@@ -330,6 +349,7 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
 
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
+  batch_vertices.fill(nullptr);
   for (const PrimitiveRange& range : batch.primitives) {
     assembled.triangles.clear();
     assembled.lines.clear();

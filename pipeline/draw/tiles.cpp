@@ -24,15 +24,20 @@ constexpr std::size_t entry_limit = std::size_t{1} << 19;
 /// Fewer bin entries than this are not worth waking a thread for.
 constexpr std::size_t entries_worth_waking = 64;
 
-/// What a tile's entries refer to lies scattered over the arena: it is fetched this many entries ahead of its use, and
+/// What a tile's entries refer to lies scattered over the arena: it is fetched this many primitives ahead of its use, and
 /// the depths that a small triangle will be tested against this many.
-constexpr std::size_t prefetch_distance = 24, prefetch_depth_distance = 8;
+constexpr std::int32_t prefetch_distance = 24, prefetch_depth_distance = 8;
 
 /// A triangle that touches more tiles than this is set up once, before it is binned.
 constexpr std::int32_t few_tiles = 4;
 
 /// Triangles that a tile sets up together.
 constexpr std::size_t tile_setup_batch = 8;
+
+/// The first run of a state in a tile holds one primitive, and each further one twice as many, up to this: a draw of one
+/// triangle takes no more memory than that.
+constexpr std::uint8_t longest_run = 8;
+static_assert(longest_run <= tile_setup_batch);
 
 constexpr std::size_t largest_record =
     sizeof(ColoredPrimitive) + sizeof(VaryingRecord) + (max_varyings * sizeof(VaryingPlane) + 63) / 64 * 64;
@@ -131,18 +136,42 @@ void TileBins::add_to_bin(std::int32_t bin_index, const Entry& entry) {
   ++entry_count_;
 }
 
+void TileBins::add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes) {
+  const auto copy_to = [&](std::byte* to) {
+    constexpr std::size_t part = sizeof(WaitingTriangle);
+    static_assert(sizeof(WaitingLine) % part == 0);
+    for (std::size_t at = 0; at < bytes; at += part) std::memcpy(to + at, static_cast<const std::byte*>(from) + at, part);
+  };
+  std::vector<Entry>& bin = bins_[static_cast<std::size_t>(first_bin_ + tile)];
+  std::uint8_t capacity = 1;
+  if (!bin.empty() && bin.back().kind == kind && bin.back().state == &state) {
+    Entry& run = bin.back();
+    if (run.count < run.capacity) {
+      copy_to(static_cast<std::byte*>(const_cast<void*>(run.what)) + static_cast<std::size_t>(run.count) * bytes);
+      ++run.count;
+      ++entry_count_;
+      return;
+    }
+    capacity = static_cast<std::uint8_t>(std::min<int>(2 * run.capacity, longest_run));
+  }
+  auto* memory = static_cast<std::byte*>(arena_.allocate(capacity * bytes));
+  for (std::size_t line = 0; line < capacity * bytes; line += 64) __builtin_prefetch(memory + line, 1);
+  copy_to(memory);
+  add(tile, {.what = memory, .kind = kind, .capacity = capacity, .state = &state});
+}
+
 void TileBins::add_triangle(const WaitingTriangle& triangle) {
   const std::int32_t first_x = triangle.x0 / tile_size, last_x = (triangle.x1 - 1) / tile_size;
   const std::int32_t first_y = triangle.y0 / tile_size, last_y = (triangle.y1 - 1) / tile_size;
   if ((last_x - first_x + 1) * (last_y - first_y + 1) > few_tiles) {
     const WaitingTriangle* const one = &triangle;
-    auto* record = static_cast<std::byte*>(arena_.allocate(record_size(*triangle.state)));
+    auto* record = static_cast<std::byte*>(arena_.allocate(record_size(state_of(triangle))));
     setup_triangles({&one, 1}, record);
     return add_polygon(*reinterpret_cast<PrimitiveRecord*>(record));
   }
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
-      add(y * target_->tiles_x + x, {&triangle, nullptr, 0, EntryKind::triangle});
+      add_to_run(y * target_->tiles_x + x, EntryKind::triangles, state_of(triangle), &triangle, sizeof triangle);
     }
   }
 }
@@ -150,7 +179,7 @@ void TileBins::add_triangle(const WaitingTriangle& triangle) {
 void TileBins::add_polygon(const PrimitiveRecord& record) {
   const std::int32_t first_x = record.x0 / tile_size, last_x = (record.x1 - 1) / tile_size;
   const std::int32_t first_y = record.y0 / tile_size, last_y = (record.y1 - 1) / tile_size;
-  const Entry entry{&record, nullptr, 0, EntryKind::polygon};
+  const Entry entry{.what = &record, .kind = EntryKind::polygon};
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
       const auto outside = [&](const EdgeFunction& edge) { return tile_is_outside(edge, x * tile_size, y * tile_size); };
@@ -168,7 +197,9 @@ void TileBins::add_line(const WaitingLine& line) {
     return add_polygon(*static_cast<PrimitiveRecord*>(record));
   }
   for (std::int32_t y = first_y; y <= last_y; ++y) {
-    for (std::int32_t x = first_x; x <= last_x; ++x) add(y * target_->tiles_x + x, {&line, nullptr, 0, EntryKind::line});
+    for (std::int32_t x = first_x; x <= last_x; ++x) {
+      add_to_run(y * target_->tiles_x + x, EntryKind::lines, *line.state, &line, sizeof line);
+    }
   }
 }
 
@@ -186,7 +217,7 @@ void TileBins::add_point(const SetupState& state, const WaitingPoint& point) {
   chunk->state = &state;
   chunk->point[0] = point;
   chunk->count = 1;
-  add(tile, {chunk, nullptr, 0, EntryKind::points});
+  add(tile, {.what = chunk, .kind = EntryKind::points});
 }
 
 /// The points one after the other: a later one may hide or blend with an earlier one of its pixel.
@@ -209,7 +240,7 @@ void TileBins::run_points(const PointChunk& chunk, std::int32_t x, std::int32_t 
 void TileBins::add_smooth(const PrimitiveRecord& record) {
   for (std::int32_t y = record.y0 / tile_size; y <= (record.y1 - 1) / tile_size; ++y) {
     for (std::int32_t x = record.x0 / tile_size; x <= (record.x1 - 1) / tile_size; ++x) {
-      add(y * target_->tiles_x + x, {&record, nullptr, 0, EntryKind::smooth});
+      add(y * target_->tiles_x + x, {.what = &record, .kind = EntryKind::smooth});
     }
   }
 }
@@ -219,7 +250,7 @@ void TileBins::flush_block_list(const PrimitiveRecord& record, std::int32_t tile
   const std::size_t bytes = block_list_.size() * sizeof(BlockMask);
   auto* blocks = static_cast<BlockMask*>(arena_.allocate(bytes));
   std::memcpy(blocks, block_list_.data(), bytes);
-  add(tile, {&record, blocks, static_cast<std::int32_t>(block_list_.size()), EntryKind::blocks});
+  add(tile, {.what = &record, .kind = EntryKind::blocks, .count = static_cast<std::int32_t>(block_list_.size()), .blocks = blocks});
   block_list_.clear();
 }
 
@@ -252,41 +283,86 @@ void TileBins::add_to_tiles(const PixelRect& box, const Entry& entry) {
 }
 
 void TileBins::add_clear(const ClearState& state) {
-  add_to_tiles(state.scissor, {&clears_.emplace_back(state), nullptr, 0, EntryKind::clear});
+  add_to_tiles(state.scissor, {.what = &clears_.emplace_back(state), .kind = EntryKind::clear});
 }
 
 void TileBins::add_accum(const AccumState& state) {
-  add_to_tiles(state.scissor, {&accums_.emplace_back(state), nullptr, 0, EntryKind::accum});
+  add_to_tiles(state.scissor, {.what = &accums_.emplace_back(state), .kind = EntryKind::accum});
 }
 
 bool TileBins::full() const {
   return arena_.used() > arena_limit_ || entry_count_ > entry_limit;
 }
 
-void TileBins::prefetch(const Entry& entry) const {
-  const auto* bytes = static_cast<const std::byte*>(entry.what);
-  static_assert(sizeof(WaitingTriangle) == sizeof(WaitingLine));
-  const bool waits = entry.kind == EntryKind::triangle || entry.kind == EntryKind::line;
-  const std::size_t size = waits ? sizeof(WaitingTriangle) : sizeof(ColoredPrimitive);
-  for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
-}
+/// Fetches what the entries of a bin refer to, some way ahead of the one that is run.
+class TileBins::LookAhead {
+ public:
+  LookAhead(std::span<const Entry> bin, std::int32_t x, std::int32_t y, const TiledBuffer& depth)
+      : bin_(bin), x_(x), y_(y), bytes_per_depth_(depth.bytes_per_pixel()),
+        depth_(depth.empty() ? nullptr : depth.tile_storage(x / tile_size, y / tile_size)) {
+    fetch();
+  }
+
+  /// Entry `i` has been run: they are in order.
+  void pass(std::size_t i) {
+    ahead_ -= bin_[i].count;
+    depth_ahead_ -= bin_[i].count;
+    fetch();
+  }
+
+ private:
+  void fetch() {
+    for (; fetched_ < bin_.size() && ahead_ < prefetch_distance; ahead_ += bin_[fetched_++].count) prefetch(bin_[fetched_]);
+    if (depth_ == nullptr) return;
+    for (; depth_fetched_ < bin_.size() && depth_ahead_ < prefetch_depth_distance; depth_ahead_ += bin_[depth_fetched_++].count) {
+      prefetch_depths(bin_[depth_fetched_]);
+    }
+  }
+
+  static void prefetch(const Entry& entry) {
+    std::size_t size = sizeof(ColoredPrimitive);
+    if (entry.kind == EntryKind::triangles) size = static_cast<std::size_t>(entry.count) * sizeof(WaitingTriangle);
+    if (entry.kind == EntryKind::lines) size = static_cast<std::size_t>(entry.count) * sizeof(WaitingLine);
+    const auto* bytes = static_cast<const std::byte*>(entry.what);
+    for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
+  }
+
+  void prefetch_depths(const Entry& entry) const {
+    if (entry.kind != EntryKind::triangles) return;
+    for (const WaitingTriangle& triangle : triangles_of(entry)) prefetch_depth(triangle, x_, y_, depth_, bytes_per_depth_);
+  }
+
+  std::span<const Entry> bin_;
+  std::int32_t x_, y_, bytes_per_depth_;
+  const std::byte* depth_;
+  std::size_t fetched_ = 0, depth_fetched_ = 0;  ///< the first entry that is not
+  std::int32_t ahead_ = 0, depth_ahead_ = 0;     ///< primitives before it that have not been run
+};
 
 std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
                                     PolygonRasterizer rasterize) {
+  const SetupState& state = *entries[0].state;
+  const std::size_t bytes = record_size(state);
   std::array<const WaitingTriangle*, tile_setup_batch> triangles;
-  std::size_t count = 0;
-  while (count < tile_setup_batch && count < entries.size() && entries[count].kind == EntryKind::triangle) {
-    const auto* triangle = static_cast<const WaitingTriangle*>(entries[count].what);
-    if (count > 0 && triangle->state != triangles[0]->state) break;
-    triangles[count++] = triangle;
+  std::size_t count = 0, done = 0;
+  for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state; ++done) {
+    if (count + static_cast<std::size_t>(entries[done].count) > tile_setup_batch) break;
+    for (const WaitingTriangle& triangle : triangles_of(entries[done])) triangles[count++] = &triangle;
   }
   alignas(64) std::array<std::byte, tile_setup_batch * largest_record> records;
   setup_triangles({triangles.data(), count}, records.data());
-  const std::size_t bytes = record_size(*triangles[0]->state);
   for (std::size_t i = 0; i < count; ++i) {
     rasterize(*reinterpret_cast<const PrimitiveRecord*>(records.data() + i * bytes), x, y, pixels);
   }
-  return count;
+  return done;
+}
+
+void TileBins::run_lines(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, PolygonRasterizer rasterize) {
+  alignas(64) std::array<std::byte, sizeof(ColoredPrimitive)> memory;
+  for (const WaitingLine& line : std::span(static_cast<const WaitingLine*>(entry.what), static_cast<std::size_t>(entry.count))) {
+    setup_waiting_line(line, memory.data());
+    rasterize(*reinterpret_cast<const PrimitiveRecord*>(memory.data()), x, y, pixels);
+  }
 }
 
 void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
@@ -294,16 +370,8 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
   const std::int32_t tiles = target_->tile_count(), tile = bin_index % tiles;
   const Framebuffer& target = samples_.empty() ? *target_ : samples_[static_cast<std::size_t>(bin_index / tiles)];
   const std::int32_t tile_x = tile % target.tiles_x, tile_y = tile / target.tiles_x;
-  const std::byte* const soon_depth = target.depth.empty() ? nullptr : target.depth.tile_storage(tile_x, tile_y);
   const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
-  const auto look_ahead = [&](std::size_t i) {
-    if (i + prefetch_distance < bin.size()) prefetch(bin[i + prefetch_distance]);
-    if (i + prefetch_depth_distance >= bin.size() || soon_depth == nullptr) return;
-    const Entry& soon = bin[i + prefetch_depth_distance];
-    if (soon.kind != EntryKind::triangle) return;
-    prefetch_depth(*static_cast<const WaitingTriangle*>(soon.what), x, y, soon_depth, target.depth.bytes_per_pixel());
-  };
-  for (std::size_t i = 0; i < std::min(prefetch_distance, bin.size()); ++i) prefetch(bin[i]);
+  LookAhead look_ahead(bin, x, y, target.depth);
   TileTarget pixels;
   bool touched = false;  // `pixels` is valid: no clear since, no accumulation
   for (std::size_t i = 0; i < bin.size();) {
@@ -316,19 +384,14 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
       case EntryKind::accum: accumulate_tile(target, tile, *static_cast<const AccumState*>(entry.what)); break;
       case EntryKind::clear: clear_tile(target, tile, *static_cast<const ClearState*>(entry.what)); break;
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
-      case EntryKind::line: {
-        alignas(64) std::array<std::byte, sizeof(ColoredPrimitive)> memory;
-        setup_waiting_line(*static_cast<const WaitingLine*>(entry.what), memory.data());
-        rasterize(*reinterpret_cast<const PrimitiveRecord*>(memory.data()), x, y, pixels);
-        break;
-      }
+      case EntryKind::lines: run_lines(entry, x, y, pixels, rasterize); break;
       case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
       case EntryKind::smooth: rasterize_smooth(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
-      case EntryKind::triangle: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
+      case EntryKind::triangles: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
       case EntryKind::blocks: {
         FragmentBlock block;
         block.primitive = static_cast<const PrimitiveRecord*>(entry.what);
-        for (const BlockMask& mask : std::span(entry.blocks, static_cast<std::size_t>(entry.block_count))) {
+        for (const BlockMask& mask : std::span(entry.blocks, static_cast<std::size_t>(entry.count))) {
           block.coverage = mask.coverage;
           block.x = x + mask.block % blocks_per_tile_row * block_size;
           block.y = y + mask.block / blocks_per_tile_row * block_size;
@@ -338,7 +401,7 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
         break;
       }
     }
-    for (const std::size_t end = i + done; i < end; ++i) look_ahead(i);
+    for (const std::size_t end = i + done; i < end; ++i) look_ahead.pass(i);
   }
   bin.clear();
 }

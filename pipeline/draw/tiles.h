@@ -66,6 +66,7 @@ class TileBins {
 
   /// Which sample of each pixel the next primitives are for. Clears are for all.
   void select_sample(std::int32_t sample) { first_bin_ = sample * target_->tile_count(); }
+  /// Copied; its vertices are not. So is the line of add_line().
   void add_triangle(const WaitingTriangle& triangle);
   /// Every pixel inside the record's edges and box.
   void add_polygon(const PrimitiveRecord& record);
@@ -85,24 +86,33 @@ class TileBins {
   void run();
 
  private:
-  /// A small triangle waits for its setup by the tile, a polygon has been set up because many tiles share it.
-  enum class EntryKind : std::uint8_t { triangle, line, polygon, smooth, points, blocks, clear, accum };
+  /// Small triangles and lines wait for their setup by the tile, in runs of one state: one behind the other in memory,
+  /// so that a tile reads them as they come. A polygon has been set up because many tiles share it.
+  enum class EntryKind : std::uint8_t { triangles, lines, polygon, smooth, points, blocks, clear, accum };
   struct Entry {
-    const void* what = nullptr;  ///< WaitingTriangle, WaitingLine, PointChunk, ClearState, AccumState, or the others' PrimitiveRecord
-    const BlockMask* blocks = nullptr;
-    std::int32_t block_count = 0;
+    /// WaitingTriangles, WaitingLines, a PointChunk, a ClearState, an AccumState, or the others' PrimitiveRecord.
+    const void* what = nullptr;
     EntryKind kind = EntryKind::polygon;
+    std::uint8_t capacity = 1;   ///< of a run
+    std::int32_t count = 1;      ///< triangles or lines of a run, blocks of a list
+    const SetupState* state = nullptr;  ///< of a run
+    const BlockMask* blocks = nullptr;
   };
+  static std::span<const WaitingTriangle> triangles_of(const Entry& run) {
+    return {static_cast<const WaitingTriangle*>(run.what), static_cast<std::size_t>(run.count)};
+  }
   void add_to_tiles(const PixelRect& box, const Entry& entry);
+  void add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes);
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);
   void add(std::int32_t tile, const Entry& entry) { add_to_bin(first_bin_ + tile, entry); }
   void add_to_bin(std::int32_t bin_index, const Entry& entry);
   void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
   void run_bin(std::int32_t bin_index, PolygonRasterizer rasterize);
-  /// Entry `i` of the bin and the triangles of equal state right after it. Returns the number of entries done.
+  /// The first entry and the triangles of equal state right after it. Returns the number of entries done.
   static std::size_t run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
                                    PolygonRasterizer rasterize);
-  void prefetch(const Entry& entry) const;
+  static void run_lines(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, PolygonRasterizer rasterize);
+  class LookAhead;
 
   Framebuffer* target_ = nullptr;
   std::vector<Framebuffer> samples_;  ///< the target's; empty if it has one sample

@@ -72,6 +72,30 @@ HWY_INLINE std::uint64_t inside_all(const TileEdge (&edges)[3], std::int32_t x, 
   return mask;
 }
 
+/// Lanes of the 8x8 pixels around which the edges are given, inside all three and in the first `pairs` row pairs.
+struct SmallEdges {
+  std::int32_t value[3], a[3], b[3];
+};
+HWY_INLINE std::uint64_t inside_small(const SmallEdges& edges, std::size_t pairs) {
+  const IntTag d;
+  std::uint64_t mask = 0;
+  for (std::size_t offset = 0; offset < 16; offset += hn::Lanes(d)) {
+    const auto start = [&](std::size_t k) HWY_ATTR {
+      return hn::Add(hn::Set(d, edges.value[k]), edge_pattern(edges.a[k], edges.b[k], offset));
+    };
+    const auto step = [&](std::size_t k) HWY_ATTR { return hn::Set(d, 2 * edges.b[k]); };
+    IntVector v0 = start(0), v1 = start(1), v2 = start(2);
+    const IntVector step0 = step(0), step1 = step(1), step2 = step(2);
+    for (std::size_t pair = 0; pair < pairs; ++pair) {
+      mask |= not_negative(hn::Or(hn::Or(v0, v1), v2)) << (pair * 16 + offset);
+      v0 = hn::Add(v0, step0);
+      v1 = hn::Add(v1, step1);
+      v2 = hn::Add(v2, step2);
+    }
+  }
+  return mask;
+}
+
 /// Blocks of the tile, both ends included.
 struct BlockBox {
   std::int32_t x0, y0, x1, y1;
@@ -89,15 +113,63 @@ HWY_INLINE void emit(const PrimitiveRecord& primitive, std::int32_t tile_x, std:
   if (block.coverage != 0) run_passes(primitive.binding->passes, block, target);
 }
 
+/// A block's coverage as it waits to be sent.
+struct Found {
+  std::uint64_t coverage;
+  std::int32_t column, row;
+};
+
+/// At most 8x8 pixels: their edges are evaluated once, wherever they lie, and the lanes are dealt out to the four blocks
+/// that they may touch. `box` is relative to the tile and inside it.
+HWY_INLINE void rasterize_small(const PrimitiveRecord& primitive, const PixelRect& box, std::int32_t tile_x,
+                                std::int32_t tile_y, const TileTarget& target) {
+  // An edge far away is as good as one at this distance: inside the box a value changes by less than 2^27.
+  constexpr std::int64_t far_away = std::int64_t{1} << 29;
+  SmallEdges edges;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeFunction& e = primitive.edges[k];
+    const std::int64_t value = e.c + std::int64_t{e.a} * (tile_x + box.x0) + std::int64_t{e.b} * (tile_y + box.y0);
+    edges.value[k] = static_cast<std::int32_t>(HWY_MIN(HWY_MAX(value, -far_away), far_away));
+    edges.a[k] = e.a;
+    edges.b[k] = e.b;
+  }
+  constexpr std::uint64_t every_row = 0x0101010101010101u;
+  const std::int32_t width = box.x1 - box.x0, height = box.y1 - box.y0;
+  const std::uint64_t in_box = (0xFFu >> (8 - width)) * every_row & ~std::uint64_t{0} >> (64 - 8 * height);
+  const std::uint64_t mask = inside_small(edges, static_cast<std::size_t>(height + 1) / 2) & in_box;
+
+  // Move the lanes to where they lie in the blocks. Shifts by 64 come in two parts.
+  const std::int32_t column = box.x0 / block_size, row = box.y0 / block_size;
+  const std::int32_t right = box.x0 % block_size, up = box.y0 % block_size;
+  const std::uint64_t stay = (0xFFu >> right) * every_row;
+  const std::uint64_t left_half = (mask & stay) << right, right_half = (mask & ~stay) >> (8 - right);
+  const std::int32_t down = 8 * (7 - up);
+  Found found[4];
+  std::size_t count = 0;
+  const auto find = [&](std::uint64_t coverage, std::int32_t x, std::int32_t y) HWY_ATTR {
+    found[count] = {coverage, column + x, row + y};
+    count += coverage != 0 ? 1 : 0;
+  };
+  find(left_half << 8 * up, 0, 0);
+  find(right_half << 8 * up, 1, 0);
+  find(left_half >> down >> 8, 0, 1);
+  find(right_half >> down >> 8, 1, 1);
+  FragmentBlock block;
+  block.primitive = &primitive;
+  for (std::size_t i = 0; i < count; ++i) {
+    block.x = tile_x + found[i].column * block_size;
+    block.y = tile_y + found[i].row * block_size;
+    block.first_pixel = (found[i].row * blocks_per_tile_row + found[i].column) * pixels_per_block;
+    block.coverage = found[i].coverage;
+    run_passes(primitive.binding->passes, block, target);
+  }
+}
+
 /// Few blocks: which edge crosses which is a coin toss that a processor guesses wrong, so all are evaluated everywhere.
 constexpr std::int32_t few_blocks = 4;
 
 HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const TileEdge (&edges)[3], const BlockBox& box,
                                      std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
-  struct Found {
-    std::uint64_t coverage;
-    std::int32_t column, row;
-  };
   Found found[few_blocks + 1];
   std::size_t count = 0;
   for (std::int32_t row = box.y0; row <= box.y1; ++row) {
@@ -129,6 +201,11 @@ HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const Ti
 }
 
 void rasterize(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
+  const PixelRect pixels{std::max(primitive.x0 - tile_x, 0), std::max(primitive.y0 - tile_y, 0),
+                         std::min(primitive.x1 - tile_x, tile_size), std::min(primitive.y1 - tile_y, tile_size)};
+  if (pixels.x1 - pixels.x0 <= block_size && pixels.y1 - pixels.y0 <= block_size) {
+    return rasterize_small(primitive, pixels, tile_x, tile_y, target);
+  }
   constexpr std::int32_t far_corner = tile_size - 1, far_lane = block_size - 1;
   const auto least_of = [](const EdgeFunction& e, std::int32_t n) { return (e.a < 0 ? e.a * n : 0) + (e.b < 0 ? e.b * n : 0); };
   const auto most_of = [](const EdgeFunction& e, std::int32_t n) { return (e.a > 0 ? e.a * n : 0) + (e.b > 0 ? e.b * n : 0); };
@@ -144,9 +221,7 @@ void rasterize(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32
   }
 
   // Visit the blocks of the primitive's box.
-  const BlockBox box{std::max(primitive.x0 - tile_x, 0) / block_size, std::max(primitive.y0 - tile_y, 0) / block_size,
-                     (std::min(primitive.x1 - tile_x, tile_size) - 1) / block_size,
-                     (std::min(primitive.y1 - tile_y, tile_size) - 1) / block_size};
+  const BlockBox box{pixels.x0 / block_size, pixels.y0 / block_size, (pixels.x1 - 1) / block_size, (pixels.y1 - 1) / block_size};
   if ((box.x1 - box.x0 + 1) * (box.y1 - box.y0 + 1) <= few_blocks) {
     rasterize_few_blocks(primitive, edges, box, tile_x, tile_y, target);
   } else {
