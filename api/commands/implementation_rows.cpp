@@ -1,6 +1,8 @@
 // Rows of [GL1.5 Tables 6.28 to 6.32]: implementation-dependent values, and what the target is made of.
 #include "api/commands/state_rows.h"
 
+#include "extension_names.h"
+
 namespace gouraud::api {
 namespace {
 
@@ -40,6 +42,7 @@ void read_accum_bits(const Context& c, StateValue& v) {
 }
 
 constexpr StateRow rows[] = {
+    {GL_NUM_EXTENSIONS, integer, 1, read_constant<extension_count>},
     {GL_MAX_LIGHTS, integer, 1, read_constant<max_lights>},
     {GL_MAX_CLIP_PLANES, integer, 1, read_constant<max_clip_planes>},
     {GL_MAX_MODELVIEW_STACK_DEPTH, integer, 1, read_constant<max_modelview_stack_depth>},

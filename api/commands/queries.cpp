@@ -59,6 +59,18 @@ const GLubyte* GetString(Context& context, GLenum name) {
   return reinterpret_cast<const GLubyte*>(text);
 }
 
+const GLubyte* GetStringi(Context& context, GLenum name, GLuint index) {
+  if (name != GL_EXTENSIONS) {
+    context.record_error(GL_INVALID_ENUM, "glGetStringi", "name is unknown");
+    return nullptr;
+  }
+  if (index >= extension_count) {
+    context.record_error(GL_INVALID_VALUE, "glGetStringi", "index is not below GL_NUM_EXTENSIONS");
+    return nullptr;
+  }
+  return reinterpret_cast<const GLubyte*>(extension_list[index]);
+}
+
 void GetBooleanv(Context& context, GLenum pname, GLboolean* data) {
   get(context, pname, data, "glGetBooleanv",
       [](double value, ValueKind) { return static_cast<GLboolean>(value != 0.0 ? GL_TRUE : GL_FALSE); });

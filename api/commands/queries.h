@@ -12,6 +12,10 @@ GLenum GetError(Context& context);
 /// GL_INVALID_ENUM and null unless VENDOR, RENDERER, VERSION or EXTENSIONS.
 const GLubyte* GetString(Context& context, GLenum name);
 
+/// The extension of that number, below NUM_EXTENSIONS: as in GL 3.0, which programs call where they find it. GL_INVALID_ENUM
+/// and null unless EXTENSIONS, GL_INVALID_VALUE and null for a number that is too large.
+const GLubyte* GetStringi(Context& context, GLenum name, GLuint index);
+
 /// Values of the state table (state_table.h) or of a capability, converted; GL_INVALID_ENUM for what is neither.
 void GetBooleanv(Context& context, GLenum pname, GLboolean* data);
 void GetIntegerv(Context& context, GLenum pname, GLint* data);

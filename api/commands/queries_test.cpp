@@ -120,7 +120,19 @@ TEST(GetString, NamesTheImplementation) {
   EXPECT_EQ(text(GL_RENDERER).substr(0, 18), "Gouraud software (");
   const std::string extensions = " " + text(GL_EXTENSIONS) + " ";
   EXPECT_NE(extensions.find(" GL_ARB_vertex_buffer_object "), std::string::npos);
-  EXPECT_EQ(extensions.find(" GL_ARB_multitexture "), std::string::npos);
+  EXPECT_EQ(extensions.find(" GL_EXT_texture "), std::string::npos);
+
+  GLint count = 0;
+  GetIntegerv(c, GL_NUM_EXTENSIONS, &count);
+  std::string joined = " ";
+  for (GLint i = 0; i < count; ++i) {
+    joined += std::string(reinterpret_cast<const char*>(GetStringi(c, GL_EXTENSIONS, static_cast<GLuint>(i)))) + " ";
+  }
+  EXPECT_EQ(joined, extensions);
+  EXPECT_EQ(GetStringi(c, GL_EXTENSIONS, static_cast<GLuint>(count)), nullptr);
+  EXPECT_EQ(c.take_error(), static_cast<GLenum>(GL_INVALID_VALUE));
+  EXPECT_EQ(GetStringi(c, GL_VERSION, 0), nullptr);
+  EXPECT_EQ(c.take_error(), static_cast<GLenum>(GL_INVALID_ENUM));
 }
 
 }  // namespace

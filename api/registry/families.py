@@ -61,7 +61,7 @@ def legal_inside_begin_end(name):
 # [GL1.5 §5.4]: what is executed at once while a list is being compiled. NewList and EndList bound the list.
 _NOT_COMPILED = re.compile(
     r"(Gen|Delete|Get|Is)[A-Z].*|FeedbackBuffer|SelectBuffer|RenderMode|ReadPixels|PixelStore[fi]|AreTexturesResident|"
-    r"(Color|FogCoord|EdgeFlag|Index|Normal|TexCoord|SecondaryColor|Vertex)Pointer|InterleavedArrays|"
+    r"(Color|FogCoord|EdgeFlag|Index|Normal|TexCoord|SecondaryColor|Vertex)Pointer(EXT)?|InterleavedArrays|"
     r"ClientActiveTexture|(Enable|Disable)ClientState|(Push|Pop)ClientAttrib|(Lock|Unlock)ArraysEXT|"
     r"(Bind|Check)(Framebuffer|Renderbuffer)\w*|Framebuffer(Renderbuffer|Texture)\w*|RenderbufferStorage\w*|"
     r"GenerateMipmap|BindBuffer|BufferData|BufferSubData|MapBuffer|UnmapBuffer|Flush|Finish|NewList|EndList")

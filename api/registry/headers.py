@@ -95,9 +95,12 @@ def glext_h(registry):
 def extension_names_h(registry):
     names = [section.name for section in registry.sections
              if section.advertised and not section.name.startswith("GL_VERSION")]
+    rows = "".join(f'    "{name}",\n' for name in names)
     return ("// Written by api/registry/generate.py from extensions.txt.\n#pragma once\n\nnamespace gouraud::api {\n\n"
-            "/// The value of GL_EXTENSIONS [GL1.5 §6.1.11].\n"
-            f'inline constexpr const char* extension_names = "{" ".join(names)}";\n\n}}  // namespace gouraud::api\n')
+            "/// The value of GL_EXTENSIONS [GL1.5 §6.1.11], whole and one by one.\n"
+            f'inline constexpr const char* extension_names = "{" ".join(names)}";\n'
+            f"inline constexpr const char* extension_list[] = {{\n{rows}}};\n"
+            f"inline constexpr unsigned extension_count = {len(names)};\n\n}}  // namespace gouraud::api\n")
 
 
 def gl_table_h(registry):

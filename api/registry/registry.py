@@ -18,6 +18,11 @@ EXTRA_ALIASES = {
 }
 
 
+# What we offer of later versions without offering those versions: (name of the section, enums, commands). Programs that
+# look for extensions one by one find them so, whatever the version.
+EXTRA_SECTIONS = (("GL_GOURAUD_get_stringi", ("GL_NUM_EXTENSIONS",), ("GetStringi",)),)
+
+
 @dataclass(frozen=True)
 class Param:
     name: str
@@ -110,6 +115,8 @@ def read_registry(xml_path, extensions):
     registry.bitmasks = {node.get("group") for node in root.findall("enums") if node.get("type") == "bitmask"}
     for name, advertised, node in _sources(root, extensions):
         _add_section(registry, name, advertised, node, xml_commands, xml_enums)
+    for name, enums, commands in EXTRA_SECTIONS:
+        _add_names(registry, name, False, enums, commands, xml_commands, xml_enums)
     _fold_aliases(registry, xml_commands)
     return registry
 
@@ -130,14 +137,18 @@ def _add_section(registry, name, advertised, node, xml_commands, xml_enums):
     enums = [item.get("name") for item in required if item.tag == "enum"]
     if name == "GL_VERSION_1_1":
         enums += EXTRA_ENUMS
+    commands = [item.get("name")[2:] for item in required if item.tag == "command"]
+    _add_names(registry, name, advertised, enums, commands, xml_commands, xml_enums)
+
+
+def _add_names(registry, name, advertised, enums, commands, xml_commands, xml_enums):
     enums = [enum for enum in dict.fromkeys(enums) if enum not in registry.enums]
     for enum in enums:
         xml = xml_enums.get(enum)
         value = int(xml.get("value"), 0) if xml is not None else EXTRA_ENUMS[enum]
         groups = frozenset(xml.get("group", "").split(",")) - {""} if xml is not None else frozenset()
         registry.enums[enum] = Enum(enum, value, groups, name)
-    names = [item.get("name") for item in required if item.tag == "command"]
-    names = [command[2:] for command in dict.fromkeys(names) if command[2:] not in registry.signatures]
+    names = [command for command in dict.fromkeys(commands) if command not in registry.signatures]
     for command in names:
         registry.signatures[command] = _read_command(xml_commands["gl" + command], name)
     registry.sections.append(Section(name, tuple(enums), tuple(names), advertised))
