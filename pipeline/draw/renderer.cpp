@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <span>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -103,7 +102,6 @@ struct Renderer::Implementation {
   void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
-  void keep_vertices_of(WaitingTriangle& triangle);
   void add_smooth_triangle(const WaitingTriangle& triangle);
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
@@ -136,8 +134,7 @@ struct Renderer::Implementation {
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
-  std::array<WaitingTriangle, setup_batch> selected;  ///< of those, the ones to draw
-  std::array<const KeptVertices*, 2> batch_vertices{};  ///< the batch's, of front and back faces; null until one is drawn
+  alignas(64) std::array<std::byte, setup_batch * largest_waiting> selected;  ///< of those, the ones to draw
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
@@ -195,30 +192,13 @@ void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) 
 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
+  const std::size_t bytes = waiting_size(*setup);
   const std::size_t count = select_triangles(*setup, vertices, ready, selected.data());
-  for (WaitingTriangle& triangle : std::span(selected).first(count)) {
-    keep_vertices_of(triangle);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(selected.data() + i * bytes);
     setup->polygons.smooth ? add_smooth_triangle(triangle) : bins.add_triangle(triangle);
   }
   ready.clear();
-}
-
-/// Those of the batch, which are kept once. The clipper's are soon overwritten: a triangle with one of them has its own.
-void Renderer::Implementation::keep_vertices_of(WaitingTriangle& triangle) {
-  const bool back = triangle.back && setup->two_sided;
-  const std::array<std::uint16_t, 4> own{triangle.vertex[0], triangle.vertex[1], triangle.vertex[2], triangle.shading};
-  if (*std::max_element(own.begin(), own.end()) >= batch_count) {
-    triangle.vertices = keep_vertices(*setup, vertices, own, back, bins.allocate(kept_size(*setup, own.size())));
-    triangle.vertex = {0, 1, 2};
-    triangle.shading = 3;
-    return;
-  }
-  const KeptVertices*& of_batch = batch_vertices[back ? 1 : 0];
-  if (of_batch == nullptr) {
-    const auto count = static_cast<std::size_t>(batch_count);
-    of_batch = keep_vertices(*setup, vertices, count, back, bins.allocate(kept_size(*setup, count)));
-  }
-  triangle.vertices = of_batch;
 }
 
 /// choice: the triangles of a quad or polygon are smooth each for itself [GL1.5 §3.5.3]: along their common edges the
@@ -349,7 +329,6 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
 
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
-  batch_vertices.fill(nullptr);
   for (const PrimitiveRange& range : batch.primitives) {
     assembled.triangles.clear();
     assembled.lines.clear();

@@ -138,9 +138,7 @@ void TileBins::add_to_bin(std::int32_t bin_index, const Entry& entry) {
 
 void TileBins::add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes) {
   const auto copy_to = [&](std::byte* to) {
-    constexpr std::size_t part = sizeof(WaitingTriangle);
-    static_assert(sizeof(WaitingLine) % part == 0);
-    for (std::size_t at = 0; at < bytes; at += part) std::memcpy(to + at, static_cast<const std::byte*>(from) + at, part);
+    for (std::size_t line = 0; line < bytes; line += 64) std::memcpy(to + line, static_cast<const std::byte*>(from) + line, 64);
   };
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(first_bin_ + tile)];
   std::uint8_t capacity = 1;
@@ -165,13 +163,14 @@ void TileBins::add_triangle(const WaitingTriangle& triangle) {
   const std::int32_t first_y = triangle.y0 / tile_size, last_y = (triangle.y1 - 1) / tile_size;
   if ((last_x - first_x + 1) * (last_y - first_y + 1) > few_tiles) {
     const WaitingTriangle* const one = &triangle;
-    auto* record = static_cast<std::byte*>(arena_.allocate(record_size(state_of(triangle))));
+    auto* record = static_cast<std::byte*>(arena_.allocate(record_size(*triangle.state)));
     setup_triangles({&one, 1}, record);
     return add_polygon(*reinterpret_cast<PrimitiveRecord*>(record));
   }
+  const std::size_t bytes = waiting_size(*triangle.state);
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
-      add_to_run(y * target_->tiles_x + x, EntryKind::triangles, state_of(triangle), &triangle, sizeof triangle);
+      add_to_run(y * target_->tiles_x + x, EntryKind::triangles, *triangle.state, &triangle, bytes);
     }
   }
 }
@@ -321,7 +320,7 @@ class TileBins::LookAhead {
 
   static void prefetch(const Entry& entry) {
     std::size_t size = sizeof(ColoredPrimitive);
-    if (entry.kind == EntryKind::triangles) size = static_cast<std::size_t>(entry.count) * sizeof(WaitingTriangle);
+    if (entry.kind == EntryKind::triangles) size = static_cast<std::size_t>(entry.count) * waiting_size(*entry.state);
     if (entry.kind == EntryKind::lines) size = static_cast<std::size_t>(entry.count) * sizeof(WaitingLine);
     const auto* bytes = static_cast<const std::byte*>(entry.what);
     for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
@@ -329,7 +328,11 @@ class TileBins::LookAhead {
 
   void prefetch_depths(const Entry& entry) const {
     if (entry.kind != EntryKind::triangles) return;
-    for (const WaitingTriangle& triangle : triangles_of(entry)) prefetch_depth(triangle, x_, y_, depth_, bytes_per_depth_);
+    const std::size_t bytes = waiting_size(*entry.state);
+    const auto* triangles = static_cast<const std::byte*>(entry.what);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(entry.count); ++i) {
+      prefetch_depth(*reinterpret_cast<const WaitingTriangle*>(triangles + i * bytes), x_, y_, depth_, bytes_per_depth_);
+    }
   }
 
   std::span<const Entry> bin_;
@@ -342,12 +345,16 @@ class TileBins::LookAhead {
 std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
                                     PolygonRasterizer rasterize) {
   const SetupState& state = *entries[0].state;
-  const std::size_t bytes = record_size(state);
+  const std::size_t waiting_bytes = waiting_size(state), bytes = record_size(state);
   std::array<const WaitingTriangle*, tile_setup_batch> triangles;
   std::size_t count = 0, done = 0;
   for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state; ++done) {
-    if (count + static_cast<std::size_t>(entries[done].count) > tile_setup_batch) break;
-    for (const WaitingTriangle& triangle : triangles_of(entries[done])) triangles[count++] = &triangle;
+    const auto more = static_cast<std::size_t>(entries[done].count);
+    if (count + more > tile_setup_batch) break;
+    const auto* first = static_cast<const std::byte*>(entries[done].what);
+    for (std::size_t i = 0; i < more; ++i) {
+      triangles[count++] = reinterpret_cast<const WaitingTriangle*>(first + i * waiting_bytes);
+    }
   }
   alignas(64) std::array<std::byte, tile_setup_batch * largest_record> records;
   setup_triangles({triangles.data(), count}, records.data());

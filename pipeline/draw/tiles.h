@@ -66,7 +66,7 @@ class TileBins {
 
   /// Which sample of each pixel the next primitives are for. Clears are for all.
   void select_sample(std::int32_t sample) { first_bin_ = sample * target_->tile_count(); }
-  /// Copied; its vertices are not. So is the line of add_line().
+  /// Copied, with its varyings; so is the line of add_line().
   void add_triangle(const WaitingTriangle& triangle);
   /// Every pixel inside the record's edges and box.
   void add_polygon(const PrimitiveRecord& record);
@@ -98,9 +98,6 @@ class TileBins {
     const SetupState* state = nullptr;  ///< of a run
     const BlockMask* blocks = nullptr;
   };
-  static std::span<const WaitingTriangle> triangles_of(const Entry& run) {
-    return {static_cast<const WaitingTriangle*>(run.what), static_cast<std::size_t>(run.count)};
-  }
   void add_to_tiles(const PixelRect& box, const Entry& entry);
   void add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes);
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);

@@ -46,10 +46,9 @@ class Canvas {
         vertices->color_front[k] = v.color;
       }
       const AssembledTriangle triangle{{0, 1, 2}, 2, 7};
-      WaitingTriangle waiting;
-      if (select_triangles(*shared, *vertices, {&triangle, 1}, &waiting) == 1) {
-        waiting.vertices = keep_vertices(*shared, *vertices, 3, waiting.back, bins.allocate(kept_size(*shared, 3)));
-        bins.add_triangle(waiting);
+      auto* waiting = static_cast<std::byte*>(bins.allocate(waiting_size(*shared)));
+      if (select_triangles(*shared, *vertices, {&triangle, 1}, waiting) == 1) {
+        bins.add_triangle(*reinterpret_cast<WaitingTriangle*>(waiting));
       }
     }
     bins.run();

@@ -31,12 +31,10 @@ struct Road {
   }
 
   bool set_up() {
-    WaitingTriangle waiting;
+    alignas(64) std::array<std::byte, 1024> waiting;
     const AssembledTriangle triangle{{0, 1, 2}, 2, 7};
-    if (select_triangles(state, *vertices, {&triangle, 1}, &waiting) == 0) return false;
-    alignas(64) std::array<std::byte, 1024> kept;
-    waiting.vertices = keep_vertices(state, *vertices, 3, waiting.back, kept.data());
-    const WaitingTriangle* const selected = &waiting;
+    if (select_triangles(state, *vertices, {&triangle, 1}, waiting.data()) == 0) return false;
+    const auto* selected = reinterpret_cast<const WaitingTriangle*>(waiting.data());
     setup_triangles({&selected, 1}, memory.data());
     return true;
   }

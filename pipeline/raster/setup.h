@@ -56,47 +56,26 @@ inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& ve
   return color;
 }
 
-/// Vertices as waiting triangles refer to them: those of a batch, which its triangles share. A KeptVertex and its varyings
-/// stand every `stride` bytes behind this struct.
-struct alignas(16) KeptVertices {
-  const SetupState* state;
-  std::size_t stride;
-};
-struct alignas(16) KeptVertex {
-  WindowVertex window;
-  Rgba color;  ///< of one side; the secondary color among the varyings likewise
-};
-inline std::size_t kept_stride(const SetupState& state) {
-  return sizeof(KeptVertex) + (static_cast<std::size_t>(state.binding->varyings.count) * sizeof(float) + 15) / 16 * 16;
-}
-inline std::size_t kept_size(const SetupState& state, std::size_t count) {
-  return sizeof(KeptVertices) + count * kept_stride(state);
-}
-inline const KeptVertex& vertex_of(const KeptVertices& vertices, std::uint16_t index) {
-  const auto* first = reinterpret_cast<const std::byte*>(&vertices + 1);
-  return *reinterpret_cast<const KeptVertex*>(first + index * vertices.stride);
-}
-inline const float* varyings_of(const KeptVertex& vertex) { return reinterpret_cast<const float*>(&vertex + 1); }
-
-/// Keeps these vertices, of a front or back face, in `memory`: kept_size bytes.
-const KeptVertices* keep_vertices(const SetupState& state, const ProcessedVertices& vertices,
-                                  std::span<const std::uint16_t> indices, bool back, void* memory);
-/// The same for the first `count` vertices.
-const KeptVertices* keep_vertices(const SetupState& state, const ProcessedVertices& vertices, std::size_t count, bool back,
-                                  void* memory);
-
-/// A triangle that will touch pixels, before its setup. Small ones wait like this in the bins, in a tenth of a record, so
+/// A triangle that will touch pixels, before its setup. A third of a record: small ones wait like this in the bins, so
 /// that more of them meet in a tile while it is in the cache, and the tile sets them up.
-struct WaitingTriangle {
-  const KeptVertices* vertices;
-  std::array<std::uint16_t, 3> vertex;
-  std::uint16_t shading;        ///< flat: the vertex whose colours are those of the triangle
+struct alignas(64) WaitingTriangle {
+  std::array<WindowVertex, 3> window;
+  std::array<Rgba, 3> color;  ///< of the side that faces the viewer; flat: the first is the provoking vertex's
+  const SetupState* state;
   std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
   bool scissored;               ///< the scissor cuts its box
   bool back;                    ///< faces away
 };
-static_assert(sizeof(WaitingTriangle) == 32);
-inline const SetupState& state_of(const WaitingTriangle& triangle) { return *triangle.vertices->state; }
+static_assert(sizeof(WaitingTriangle) == 128);
+
+/// Bytes of a waiting triangle. Behind the struct stand its varyings, vertex by vertex, if the layout has some.
+inline std::size_t waiting_size(const SetupState& state) {
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
+  return sizeof(WaitingTriangle) + (3 * varyings * sizeof(float) + 63) / 64 * 64;
+}
+inline constexpr std::size_t largest_waiting = sizeof(WaitingTriangle) + (3 * max_varyings * sizeof(float) + 63) / 64 * 64;
+inline float* varyings_of(WaitingTriangle& triangle) { return reinterpret_cast<float*>(&triangle + 1); }
+inline const float* varyings_of(const WaitingTriangle& triangle) { return reinterpret_cast<const float*>(&triangle + 1); }
 
 /// Copies the varyings of a vertex of a front or back face to `out`, in the layout's order. The secondary colour is that
 /// of the vertex `shading`: another one where shading is flat.
@@ -106,11 +85,10 @@ void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, s
 /// Most triangles that one call of select_triangles or setup_triangles takes.
 inline constexpr std::size_t setup_batch = 32;
 
-/// Copies the triangles that draw something to `out`, in order, and returns their number. They still count the batch's
-/// vertices: the caller keeps those. Left out are triangles that are culled, without area after snapping, or between the
-/// samples.
+/// Copies the triangles that draw something to `out`, waiting_size bytes each, in order, and returns their number. Left out are those that are
+/// culled, without area after snapping, or between the samples.
 std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                             std::span<const AssembledTriangle> triangles, WaitingTriangle* out);
+                             std::span<const AssembledTriangle> triangles, std::byte* out);
 
 /// Sets up triangles of one state: their records, one after the other, in `records` (record_size bytes each, 64-byte
 /// aligned).

@@ -256,8 +256,7 @@ HWY_INLINE void offset_depth(const SetupState& state, DepthPlane& depth) {
 
 HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const Results& in, std::size_t lane,
                                          PrimitiveRecord& out) {
-  const SetupState& state = state_of(triangle);
-  out.binding = state.binding;
+  out.binding = triangle.state->binding;
   for (std::size_t k = 0; k < 3; ++k) {
     out.edges[k] = {static_cast<std::int64_t>(in.edge_c[k][lane]), static_cast<std::int32_t>(in.edge_a[k][lane]),
                     static_cast<std::int32_t>(in.edge_b[k][lane])};
@@ -271,7 +270,7 @@ HWY_INLINE void write_coverage_and_depth(const WaitingTriangle& triangle, const 
   out.back = triangle.back;
   out.depth = {in.z_origin[lane], in.z_dx[lane], in.z_dy[lane], static_cast<float>(in.z_minimum[lane]),
                static_cast<float>(in.z_maximum[lane]), (in.steep >> lane & 1) != 0};
-  if (state.polygons.offset_fill) offset_depth(state, out.depth);
+  if (triangle.state->polygons.offset_fill) offset_depth(*triangle.state, out.depth);
 }
 
 /// Planes of the varyings, or under perspective of their distance from vertex 0 weighted by 1/w, into the records; see
@@ -280,10 +279,8 @@ void set_up_varyings(const Basis& basis, const Weights& weights, const Results& 
                      std::size_t count, std::byte* records, std::size_t record_bytes) {
   const D d;
   const F f;
-  const SetupState& state = state_of(*triangles[0]);
-  const VaryingLayout& layout = state.binding->varyings;
-  const auto varyings = static_cast<std::size_t>(layout.count);
-  const auto first_flat = state.flat ? static_cast<std::size_t>(layout.of_vertices()) : varyings;
+  const SetupState& state = *triangles[0]->state;
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
   const std::size_t before = state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
   VaryingRecord* out[max_lanes];
   for (std::size_t lane = 0; lane < count; ++lane) {
@@ -297,11 +294,8 @@ void set_up_varyings(const Basis& basis, const Weights& weights, const Results& 
   for (std::size_t k = 0; k < varyings; ++k) {
     alignas(64) float values[3][max_lanes];
     for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
-      const WaitingTriangle& triangle = *triangles[HWY_MIN(lane, count - 1)];
-      for (std::size_t i = 0; i < 3; ++i) {
-        const std::uint16_t vertex = k < first_flat ? triangle.vertex[i] : triangle.shading;
-        values[i][lane] = varyings_of(vertex_of(*triangle.vertices, vertex))[k];
-      }
+      const float* of_triangle = varyings_of(*triangles[HWY_MIN(lane, count - 1)]);
+      for (std::size_t i = 0; i < 3; ++i) values[i][lane] = of_triangle[i * varyings + k];
     }
     V v[3];
     for (std::size_t i = 0; i < 3; ++i) v[i] = hn::PromoteTo(d, hn::Load(f, values[i]));
@@ -330,7 +324,7 @@ void set_up_varyings(const Basis& basis, const Weights& weights, const Results& 
 
 /// Selects among at most max_lanes triangles.
 HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVertices& vertices,
-                                    const AssembledTriangle* triangles, std::size_t count, WaitingTriangle* out) {
+                                    const AssembledTriangle* triangles, std::size_t count, std::byte* out) {
   alignas(64) float window[3 * 4 * max_lanes];
   for (std::size_t lane = 0; lane < max_lanes; ++lane) {
     const AssembledTriangle& triangle = triangles[HWY_MIN(lane, count - 1)];
@@ -343,13 +337,19 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
   select(state, snap_triangles(corners, state.target_height_px), selection);
 
   std::size_t selected = 0;
+  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
+  const std::size_t bytes = waiting_size(state);
   for (std::uint64_t left = selection.alive & ((std::uint64_t{1} << count) - 1); left != 0; left &= left - 1) {
     const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
-    WaitingTriangle& waiting = out[selected++];
-    waiting.vertices = nullptr;
-    waiting.vertex = triangles[lane].vertex;
-    waiting.shading = triangles[lane].provoking;
-    waiting.back = (selection.front >> lane & 1) == 0;
+    auto& waiting = *reinterpret_cast<WaitingTriangle*>(out + selected++ * bytes);
+    for (std::size_t i = 0; i < 3; ++i) waiting.window[i] = vertices.window[triangles[lane].vertex[i]];
+    const bool back = waiting.back = (selection.front >> lane & 1) == 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint16_t vertex = triangles[lane].vertex[i], shading = state.flat ? triangles[lane].provoking : vertex;
+      if (state.colors) waiting.color[i] = color_of_vertex(state, vertices, shading, back);
+      if (varyings > 0) copy_varyings(state, vertices, vertex, shading, back, varyings_of(waiting) + i * varyings);
+    }
+    waiting.state = &state;
     waiting.x0 = static_cast<std::int16_t>(selection.x0[lane]);
     waiting.y0 = static_cast<std::int16_t>(selection.y0[lane]);
     waiting.x1 = static_cast<std::int16_t>(selection.x1[lane]);
@@ -360,11 +360,11 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
 }
 
 std::size_t select_all(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
-                       std::size_t count, WaitingTriangle* out) {
-  const std::size_t lanes = hn::Lanes(D());
+                       std::size_t count, std::byte* out) {
+  const std::size_t lanes = hn::Lanes(D()), bytes = waiting_size(state);
   std::size_t selected = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
-    selected += select_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), out + selected);
+    selected += select_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), out + selected * bytes);
   }
   return selected;
 }
@@ -372,15 +372,13 @@ std::size_t select_all(const SetupState& state, const ProcessedVertices& vertice
 /// Sets up at most max_lanes triangles.
 HWY_INLINE void set_up_group(const WaitingTriangle* const* triangles, std::size_t count, std::byte* records) {
   const D d;
-  const SetupState& state = state_of(*triangles[0]);
+  const SetupState& state = *triangles[0]->state;
   alignas(64) float window[3 * 4 * max_lanes], colors[3 * 4 * max_lanes];
   for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
     const WaitingTriangle& triangle = *triangles[HWY_MIN(lane, count - 1)];
     for (std::size_t i = 0; i < 3; ++i) {
-      const KeptVertex& vertex = vertex_of(*triangle.vertices, triangle.vertex[i]);
-      const KeptVertex& shading = state.flat ? vertex_of(*triangle.vertices, triangle.shading) : vertex;
-      std::memcpy(window + 4 * (i * max_lanes + lane), &vertex.window, sizeof(WindowVertex));
-      std::memcpy(colors + 4 * (i * max_lanes + lane), &shading.color, sizeof(Rgba));
+      std::memcpy(window + 4 * (i * max_lanes + lane), &triangle.window[i], sizeof(WindowVertex));
+      std::memcpy(colors + 4 * (i * max_lanes + lane), &triangle.color[i], sizeof(Rgba));
     }
   }
   const Quad corners[3] = {load_quad(window), load_quad(window + 4 * max_lanes), load_quad(window + 8 * max_lanes)};
@@ -430,7 +428,7 @@ HWY_INLINE void set_up_group(const WaitingTriangle* const* triangles, std::size_
 void set_up(const WaitingTriangle* const* triangles, std::size_t count, std::byte* records) {
   const std::size_t lanes = hn::Lanes(D());
   for (std::size_t i = 0; i < count; i += lanes) {
-    set_up_group(triangles + i, HWY_MIN(lanes, count - i), records + i * record_size(state_of(*triangles[0])));
+    set_up_group(triangles + i, HWY_MIN(lanes, count - i), records + i * record_size(*triangles[0]->state));
   }
 }
 
@@ -465,8 +463,8 @@ SmoothShape smooth_triangle(const WaitingTriangle& triangle) {
   SmoothShape shape;
   shape.corner_count = 3;
   for (std::size_t i = 0; i < 3; ++i) {
-    const WindowVertex& vertex = vertex_of(*triangle.vertices, triangle.vertex[i]).window;
-    shape.corner[i] = {vertex.x, static_cast<double>(state_of(triangle).target_height_px) - vertex.y_raster};
+    const WindowVertex& vertex = triangle.window[i];
+    shape.corner[i] = {vertex.x, static_cast<double>(triangle.state->target_height_px) - vertex.y_raster};
   }
   return shape;
 }
@@ -500,7 +498,7 @@ bool faces_front(const SetupState& state, const ProcessedVertices& vertices, con
 }
 
 std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                             std::span<const AssembledTriangle> triangles, WaitingTriangle* out) {
+                             std::span<const AssembledTriangle> triangles, std::byte* out) {
   return GOURAUD_SIMD_PICK(select_all)(state, vertices, triangles.data(), triangles.size(), out);
 }
 
