@@ -126,10 +126,12 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
 void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
   const bool has_varyings = plan.textured || plan.fog;
+  const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.alpha_test;
+  const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured;
   const auto shade = [&] {
     if (plan.colors) plan.fragment.add(color_interpolation_pass());
     if (has_varyings) plan.fragment.add(varying_interpolation_pass());
-    if (plan.textured) plan.fragment.add(texture_pass());
+    if (plan.textured) plan.fragment.add(packed ? texture_words_pass() : texture_pass());
     if (plan.secondary_color == SecondaryColor::interpolated) plan.fragment.add(color_sum_pass(target.color));
     if (plan.fog) plan.fragment.add(fog_pass(state.raster.fog.mode, target.color));
     if (plan.coverage) plan.fragment.add(coverage_pass());
@@ -150,7 +152,7 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
   if (!plan.writes_color) return;
   const bool keeps_colors = plan.blends || plan.coverage || plan.alpha_test || has_varyings;  // between interpolation and write
   if (keeps_colors && !plan.alpha_test) shade();
-  plan.fragment.add(keeps_colors ? blend_pass(state.raster, target.color)
+  plan.fragment.add(keeps_colors ? blend_pass(state.raster, target.color, packed)
                                  : color_write_pass(target.color, state.raster.color_write_mask));
 }
 

@@ -24,23 +24,24 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 
 constexpr std::int32_t alpha_byte = static_cast<std::int32_t>(0xFF000000u);
 
-/// A block's pixels as packed bytes R, G, B, A.
-struct Pixels {
-  alignas(64) std::int32_t word[64];
-};
+using Pixels = PixelWords;
 
 /// out = function(lane) for each vector of the block.
 template <class Function>
 HWY_INLINE void for_block(Pixels& out, const Function& function) {
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(IntTag())) hn::Store(function(lane), IntTag(), out.word + lane);
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(IntTag())) hn::Store(function(lane), IntTag(), out.word.data() + lane);
 }
-HWY_INLINE IntVector load(const Pixels& pixels, std::size_t lane) { return hn::Load(IntTag(), pixels.word + lane); }
+HWY_INLINE IntVector load(const Pixels& pixels, std::size_t lane) { return hn::Load(IntTag(), pixels.word.data() + lane); }
 
-HWY_INLINE void quantize(const FragmentBlock& block, Pixels& out) {
-  for_block(out, [&](std::size_t lane) HWY_ATTR {
+/// The block's colours as the target stores them; `memory` holds them if the block does not.
+template <bool packed>
+HWY_INLINE const Pixels& source_pixels(const FragmentBlock& block, Pixels& memory) {
+  if constexpr (packed) return block.words;
+  for_block(memory, [&](std::size_t lane) HWY_ATTR {
     const auto channel = [&](std::size_t k) HWY_ATTR { return hn::Load(FloatTag(), block.color[k].data() + lane); };
     return pack_unorm8(channel(0), channel(1), channel(2), channel(3));
   });
+  return memory;
 }
 
 /// Alpha in all four bytes.
@@ -204,12 +205,12 @@ HWY_INLINE bool one_for_all(const BlendState& blend) {
          same(blend.rgb.destination, blend.alpha.destination);
 }
 
-template <bool all_channels>
+template <bool all_channels, bool packed>
 void blend_8(FragmentBlock& block, const TileTarget& target) {
   const RasterState& state = block.primitive->binding->state;
   const Unorm8Writer<all_channels> writer(target, block.first_pixel, state.color_write_mask);
-  Pixels source, destination, result;
-  quantize(block, source);
+  Pixels memory, destination, result;
+  const Pixels& source = source_pixels<packed>(block, memory);
   for_block(destination, [&](std::size_t lane) HWY_ATTR { return writer.stored(lane); });
   const std::int32_t constant = packed_constant(state.blend.constant);
   blend_group(state.blend.rgb, source, destination, constant, result);
@@ -221,12 +222,11 @@ void blend_8(FragmentBlock& block, const TileTarget& target) {
   write_block(block, writer, result);
 }
 
-template <bool all_channels>
+template <bool all_channels, bool packed>
 void replace_8(FragmentBlock& block, const TileTarget& target) {
   const Unorm8Writer<all_channels> writer(target, block.first_pixel, block.primitive->binding->state.color_write_mask);
-  Pixels source;
-  quantize(block, source);
-  write_block(block, writer, source);
+  Pixels memory;
+  write_block(block, writer, source_pixels<packed>(block, memory));
 }
 
 /// s op t, bit by bit [GL1.5 Table 4.2].
@@ -253,23 +253,29 @@ HWY_INLINE IntVector operate(LogicOp op, IntVector s, IntVector t) {
   return hn::Set(IntTag(), -1);
 }
 
+template <bool packed>
 void logic_op_8(FragmentBlock& block, const TileTarget& target) {
   const RasterState& state = block.primitive->binding->state;
   const Unorm8Writer<false> writer(target, block.first_pixel, state.color_write_mask);
-  Pixels pixels;
-  quantize(block, pixels);
+  Pixels memory, pixels;
+  const Pixels& source = source_pixels<packed>(block, memory);
   for_block(pixels, [&](std::size_t lane) HWY_ATTR {
-    return operate(state.logic_op, load(pixels, lane), writer.stored(lane));
+    return operate(state.logic_op, load(source, lane), writer.stored(lane));
   });
   write_block(block, writer, pixels);
 }
 
-FragmentPass select(const RasterState& state, ColorFormat format) {
-  if (format != ColorFormat::rgba8) return wide_blend_pass(state, format);
-  if (state.logic_op != LogicOp::copy) return logic_op_8;
+template <bool packed>
+FragmentPass select_8(const RasterState& state) {
+  if (state.logic_op != LogicOp::copy) return logic_op_8<packed>;
   const bool all_channels = state.color_write_mask == 0xF;
-  if (state.blend.enabled) return all_channels ? blend_8<true> : blend_8<false>;
-  return all_channels ? replace_8<true> : replace_8<false>;
+  if (state.blend.enabled) return all_channels ? blend_8<true, packed> : blend_8<false, packed>;
+  return all_channels ? replace_8<true, packed> : replace_8<false, packed>;
+}
+
+FragmentPass select(const RasterState& state, ColorFormat format, bool packed) {
+  if (format != ColorFormat::rgba8) return wide_blend_pass(state, format);
+  return packed ? select_8<true>(state) : select_8<false>(state);
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -277,6 +283,8 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
-FragmentPass blend_pass(const RasterState& state, ColorFormat format) { return GOURAUD_SIMD_PICK(select)(state, format); }
+FragmentPass blend_pass(const RasterState& state, ColorFormat format, bool packed) {
+  return GOURAUD_SIMD_PICK(select)(state, format, packed);
+}
 }  // namespace gouraud::pipeline
 #endif

@@ -21,13 +21,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
 
-/// One byte a channel, from floats in [0, 255] (give or take what rounding forgives).
-HWY_INLINE IntVector pack_unorm8(FloatVector r, FloatVector g, FloatVector b, FloatVector a) {
-  const auto byte = [](FloatVector v) HWY_ATTR { return bits_after_adding(rounding_magic_positive, v); };
-  const IntVector low = hn::Or(hn::Xor(byte(r), hn::Set(IntTag(), rounding_bits_positive)), hn::ShiftLeft<8>(byte(g)));
-  return hn::Or(low, hn::Or(hn::ShiftLeft<16>(byte(b)), hn::ShiftLeft<24>(byte(a))));
-}
-
 /// Writes packed pixels of a block.
 template <bool all_channels>
 class Unorm8Writer {

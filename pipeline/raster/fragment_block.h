@@ -21,6 +21,11 @@ struct TileTarget {
   std::byte* stencil = nullptr;  ///< only where the depth format does not hold it
 };
 
+/// A block's pixels as packed bytes R, G, B, A.
+struct PixelWords {
+  alignas(64) std::array<std::int32_t, 64> word;
+};
+
 struct FragmentBlock {
   std::uint64_t coverage = 0;
   std::int32_t x = 0, y = 0;      ///< window position of lane 0's pixel
@@ -29,6 +34,8 @@ struct FragmentBlock {
   /// R, G, B, A of each lane, times the target's color_scale; valid behind the interpolating pass, if the plan has one.
   /// Lanes that are not alive hold anything.
   alignas(64) std::array<std::array<float, 64>, 4> color;
+  /// In place of `color` behind a pass that gives the colours of an 8-bit target as it stores them.
+  PixelWords words;
   /// Of each lane, covered or not, in the order of the binding's VaryingLayout; valid behind the pass that interpolates
   /// varyings. Not initialized: a block is cheap as long as nobody asks for them.
   alignas(64) std::array<std::array<float, 64>, max_varyings> varying;

@@ -90,6 +90,13 @@ HWY_INLINE IntVector bits_after_adding(float magic, FloatVector v) {
   return hn::BitCast(IntTag(), hn::Add(v, hn::Set(FloatTag(), magic)));
 }
 
+/// One byte a channel, from floats in [0, 255] (give or take what rounding forgives).
+HWY_INLINE IntVector pack_unorm8(FloatVector r, FloatVector g, FloatVector b, FloatVector a) {
+  const auto byte = [](FloatVector v) HWY_ATTR { return bits_after_adding(rounding_magic_positive, v); };
+  const IntVector low = hn::Or(hn::Xor(byte(r), hn::Set(IntTag(), rounding_bits_positive)), hn::ShiftLeft<8>(byte(g)));
+  return hn::Or(low, hn::Or(hn::ShiftLeft<16>(byte(b)), hn::ShiftLeft<24>(byte(a))));
+}
+
 /// Clamp with a defined result for NaN: the lower bound.
 HWY_INLINE FloatVector clamp_lanes(FloatVector v, FloatVector low, FloatVector high) {
   return hn::Min(hn::Max(v, low), high);

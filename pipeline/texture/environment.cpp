@@ -146,6 +146,13 @@ void combine(FragmentBlock& block, const EnvironmentInput& input) {
 
 EnvironmentFunction select_combiner() { return combine; }
 
+void pack_colors(FragmentBlock& block) {
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(IntTag())) {
+    const auto channel = [&](std::size_t k) HWY_ATTR { return hn::Load(FloatTag(), block.color[k].data() + lane); };
+    hn::Store(pack_unorm8(channel(0), channel(1), channel(2), channel(3)), IntTag(), block.words.word.data() + lane);
+  }
+}
+
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -169,6 +176,8 @@ TextureFunctions texture_functions(EnvironmentMode mode, BaseFormat format) {
   }
   return {has_color ? modulate : keep, modulated_alpha};
 }
+
+void (*packing_function())(FragmentBlock& block) { return GOURAUD_SIMD_PICK(pack_colors); }
 
 EnvironmentFunction environment_function(const TextureEnvironment& environment, BaseFormat format) {
   if (environment.mode == EnvironmentMode::combine) return GOURAUD_SIMD_PICK(select_combiner)();

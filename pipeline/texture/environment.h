@@ -18,5 +18,7 @@ struct TextureFunctions {
 /// Not for `combine`.
 TextureFunctions texture_functions(EnvironmentMode mode, BaseFormat format);
 
+/// A block's scaled colours to its words, for the instruction set in use.
+void (*packing_function())(FragmentBlock& block);
 
 }  // namespace gouraud::pipeline

@@ -1,6 +1,6 @@
 // Takes offsets and weights along the axes (wrap-inl.h), gives R, G, B, A of each lane. 8-bit texels in two dimensions are
 // filtered in 16-bit fixed point with 7 fractional bits, two channels a word: at most 0.02/255 from exact, of which the
-// weights' 15 bits are 0.004 each. All else in float. Comparison [GL1.5 §3.8.14] comes before filtering: a linear filter gives
+// weights' 15 bits are 0.012 each. All else in float. Comparison [GL1.5 §3.8.14] comes before filtering: a linear filter gives
 // the weighted share of the texels that pass, as Mesa does.
 #include "pipeline/texture/level_kernels.h"
 
@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/texture/channel_pairs-inl.h"
 #include "pipeline/texture/texels-inl.h"
 #include "pipeline/texture/wrap-inl.h"
 
@@ -104,48 +105,6 @@ void read_in_float(const LevelRead& read, TexelBlock& out) {
   }
 }
 
-/// Two 16-bit numbers a word: channels R and B, or G and A, times 128.
-struct ChannelPairs {
-  IntVector even, odd;
-};
-inline constexpr std::int32_t pair_bits = 0x7F807F80;
-inline constexpr float pair_scale = 1.0f / (255.0f * 128.0f);
-
-HWY_INLINE ChannelPairs pairs_of(IntVector word) {
-  const IntVector bits = hn::Set(IntTag(), pair_bits);
-  return {hn::And(hn::ShiftLeft<7>(word), bits), hn::And(hn::ShiftRight<1>(word), bits)};
-}
-
-/// a + (b - a) * weight in both halves, the product rounded to nearest; weights are 15-bit fractions.
-HWY_INLINE IntVector lerp_pairs(IntVector a, IntVector b, IntVector weight) {
-#if HWY_TARGET == HWY_SCALAR  // has no vectors of two halves
-  const auto half = [](IntVector v, int shift) { return static_cast<std::int16_t>(static_cast<std::uint32_t>(hn::GetLane(v)) >> shift); };
-  std::uint32_t out = 0;
-  for (const int shift : {0, 16}) {
-    const std::int32_t from = half(a, shift), rise = half(b, shift) - from;
-    const std::int32_t value = from + ((rise * half(weight, shift) + (1 << 14)) >> 15);
-    out |= (static_cast<std::uint32_t>(value) & 0xFFFF) << shift;
-  }
-  return hn::Set(IntTag(), static_cast<std::int32_t>(out));
-#else
-  const hn::Repartition<std::int16_t, IntTag> d16;
-  const auto from = hn::BitCast(d16, a);
-  const auto rise = hn::Sub(hn::BitCast(d16, b), from);
-  return hn::BitCast(IntTag(), hn::Add(from, hn::MulFixedPoint15(rise, hn::BitCast(d16, weight))));
-#endif
-}
-
-HWY_INLINE ChannelPairs lerp(const ChannelPairs& a, const ChannelPairs& b, IntVector weight) {
-  return {lerp_pairs(a.even, b.even, weight), lerp_pairs(a.odd, b.odd, weight)};
-}
-
-HWY_INLINE IntVector pair_weight(const AxisTexels& axis, std::size_t lane) {
-  const FloatTag d;
-  const IntVector rounded = hn::ConvertTo(IntTag(), hn::Add(hn::Mul(hn::Load(d, axis.weight.data() + lane), hn::Set(d, 32768.0f)), hn::Set(d, 0.5f)));
-  const IntVector weight = hn::Min(rounded, hn::Set(IntTag(), 32767));
-  return hn::Or(weight, hn::ShiftLeft<16>(weight));
-}
-
 HWY_INLINE TexelVector unpack_pairs(const ChannelPairs& v) {
   const hn::RebindToUnsigned<IntTag> du;
   const auto low = [](IntVector pair) HWY_ATTR { return scaled(hn::And(pair, hn::Set(IntTag(), 0xFFFF)), pair_scale); };
@@ -183,7 +142,8 @@ void read_bilinear(const LevelRead& read, TexelBlock& out) {
     if (wanted == 0) continue;
     const IntVector x0 = hn::Load(d, x.first.data() + lane), x1 = hn::Load(d, x.second.data() + lane);
     const IntVector y0 = hn::Load(d, y.first.data() + lane), y1 = hn::Load(d, y.second.data() + lane);
-    const IntVector weight_x = pair_weight(x, lane), weight_y = pair_weight(y, lane);
+    const IntVector weight_x = pair_weight(hn::Load(FloatTag(), x.weight.data() + lane));
+    const IntVector weight_y = pair_weight(hn::Load(FloatTag(), y.weight.data() + lane));
     const ChannelPairs lower = lerp(texel(hn::Add(x0, y0)), texel(hn::Add(x1, y0)), weight_x);
     const ChannelPairs upper = lerp(texel(hn::Add(x0, y1)), texel(hn::Add(x1, y1)), weight_x);
     store_texels(read, wanted, lane, unpack_pairs(lerp(lower, upper, weight_y)), out);

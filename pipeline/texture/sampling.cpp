@@ -1,7 +1,4 @@
-// Takes a block with its varyings, gives the filtered texels of one unit in its covered lanes. Levels are read one at a
-// time, for all lanes that need them: a block in which every lane has the same level reads it without asking lane by lane.
-// choice: magnification begins at lambda = 0 whatever the filters are, as Mesa has it, and not at 1/2 for NEAREST_MIPMAP
-// minification with LINEAR magnification [GL1.5 §3.8.9].
+// Takes a block with its varyings, gives the filtered texels of one unit in its covered lanes.
 // choice: coordinates that do not vary (points) have rho = 0.
 #include "pipeline/texture/sampling.h"
 
@@ -16,8 +13,7 @@
 
 #include <hwy/highway.h>
 
-#include "pipeline/texture/lod-inl.h"
-#include "pipeline/texture/wrap-inl.h"
+#include "pipeline/texture/levels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
@@ -82,127 +78,23 @@ HWY_INLINE void mix_levels(const TexelBlock& other, const float* weight, std::ui
   }
 }
 
-/// The level that a LOD selects (below it, for a linear filter between levels), relative to the base level.
-HWY_INLINE float selected_level(MipFilter filter, float lod, float last) {
-  // [GL1.5 §3.8.8 eq 3.23]: lambda + 1/2 rounded up, minus 1. [eq 3.24]: rounded down.
-  const FloatTag d;
-  const FloatVector v = hn::Set(d, lod);
-  const FloatVector level = filter == MipFilter::nearest ? hn::Sub(hn::Ceil(hn::Add(v, hn::Set(d, 0.5f))), hn::Set(d, 1.0f)) : hn::Floor(v);
-  return hn::GetLane(kept_between(level, 0.0f, last));
-}
+/// Levels of one face into a block of texels (levels-inl.h).
+struct FaceReader {
+  const PreparedUnit& unit;
+  const LaneCoordinates& at;
+  TexelBlock& out;
 
-/// Lanes whose value equals.
-HWY_INLINE std::uint64_t lanes_equal(const float* values, float value) {
-  const FloatTag d;
-  std::uint64_t lanes = 0;
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
-    lanes |= bits_of(d, hn::Eq(hn::Load(d, values + lane), hn::Set(d, value))) << lane;
+  HWY_INLINE void read(std::int32_t index, TexelFilter filter, std::uint64_t lanes, bool keeps_others) {
+    read_level(unit, at, index, filter, lanes, keeps_others, out);
   }
-  return lanes;
-}
-HWY_INLINE std::uint64_t lanes_above_zero(const float* values) {
-  const FloatTag d;
-  std::uint64_t lanes = 0;
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
-    lanes |= bits_of(d, hn::Gt(hn::Load(d, values + lane), hn::Zero(d))) << lane;
-  }
-  return lanes;
-}
-
-/// Reads minified lanes: the levels that their LODs select, mixed if the filter is linear between levels.
-HWY_INLINE void read_minified(const PreparedUnit& unit, const LaneCoordinates& at, float lowest, float highest, float* lod,
-                              std::uint64_t lanes, bool keeps_others, TexelBlock& out) {
-  const FloatTag d;
-  const SamplerState& sampler = unit.state.sampler;
-  const auto last = static_cast<float>(unit.level_count - 1);
-  alignas(64) float levels[64];
-  TexelBlock next;
-  const float first_level = selected_level(sampler.mip, lowest, last), last_level = selected_level(sampler.mip, highest, last);
-  const bool one_level = first_level == last_level;
-  const bool mixes = sampler.mip == MipFilter::linear;
-
-  // The level of each lane; its LOD becomes the share of the next level.
-  for (std::size_t lane = 0; lane < 64 && (mixes || !one_level); lane += hn::Lanes(d)) {
-    const FloatVector v = hn::Load(d, lod + lane);
-    const FloatVector level = mixes ? hn::Floor(v) : hn::Sub(hn::Ceil(hn::Add(v, hn::Set(d, 0.5f))), hn::Set(d, 1.0f));
-    const FloatVector kept = kept_between(level, first_level, last_level);
-    hn::Store(kept, d, levels + lane);
-    if (mixes) hn::Store(clamp_lanes(hn::Sub(v, kept), hn::Zero(d), hn::Set(d, 1.0f)), d, lod + lane);
-  }
-  for (std::uint64_t left = lanes; left != 0;) {
-    const float level = one_level ? first_level : levels[hwy::Num0BitsBelowLS1Bit_Nonzero64(left)];
-    const std::uint64_t group = one_level ? left : left & lanes_equal(levels, level);
-    const bool part = keeps_others || group != lanes;
-    const auto index = static_cast<std::int32_t>(level);
-    read_level(unit, at, index, sampler.minify, group, part, out);
-    if (mixes && index + 1 < unit.level_count) {
-      read_level(unit, at, index + 1, sampler.minify, group, false, next);
-      mix_levels(next, lod, group, out);
-    }
-    left &= ~group;
-  }
-}
-
-/// Whether the level of detail makes no difference.
-HWY_INLINE bool needs_no_lod(const SamplerState& sampler) {
-  return sampler.mip == MipFilter::none && sampler.minify == sampler.magnify;
-}
-
-HWY_INLINE std::array<float, 3> base_size(const PreparedUnit& unit) {
-  std::array<float, 3> size{};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(unit.dimensions); ++k) {
-    size[k] = unit.state.target == TextureTarget::rectangle ? 1.0f : static_cast<float>(unit.level(0, 0).size[k]);
-  }
-  return size;
-}
-
-/// One face: magnified and minified lanes.
-HWY_INLINE void sample_face(const PreparedUnit& unit, const LaneCoordinates& at, const CoordinatePlanes& planes, std::uint64_t lanes,
-                            bool keeps_others, TexelBlock& out) {
-  const FloatTag d;
-  const SamplerState& sampler = unit.state.sampler;
-  const BlockLod lod(planes, base_size(unit));
-  const auto adjusted = [&](FloatVector v) HWY_ATTR {
-    return kept_between(hn::Add(v, hn::Set(d, sampler.lod_bias)), sampler.min_lod, sampler.max_lod);
-  };
-  const float lowest = hn::GetLane(adjusted(hn::Set(d, lod.lowest()))), highest = hn::GetLane(adjusted(hn::Set(d, lod.highest())));
-  if (highest <= 0.0f) return read_level(unit, at, 0, sampler.magnify, lanes, keeps_others, out);
-  if (sampler.mip == MipFilter::none && lowest > 0.0f) return read_level(unit, at, 0, sampler.minify, lanes, keeps_others, out);
-
-  alignas(64) float lambda[64];
-  lod.lanes(lambda);
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) hn::Store(adjusted(hn::Load(d, lambda + lane)), d, lambda + lane);
-  const std::uint64_t minified = sampler.minify == sampler.magnify ? lanes : lanes & lanes_above_zero(lambda);
-  if (minified != lanes) {
-    read_level(unit, at, 0, sampler.magnify, lanes & ~minified, keeps_others, out);
-    keeps_others = true;
-  }
-  if (minified == 0) return;
-  if (sampler.mip == MipFilter::none) return read_level(unit, at, 0, sampler.minify, minified, keeps_others, out);
-  read_minified(unit, at, lowest, highest, lambda, minified, keeps_others, out);
-}
-
-/// The coordinates of a unit, divided by q if it has one.
-struct DividedCoordinates {
-  alignas(64) float lanes[3][64];
-  std::array<const float*, 3> coordinate{};
-
-  HWY_INLINE DividedCoordinates(const FragmentBlock& block, const TextureCoordinateLayout& layout) {
-    const FloatTag d;
-    const auto first = static_cast<std::size_t>(layout.first), count = static_cast<std::size_t>(layout.dimensions);
-    for (std::size_t k = 0; k < count; ++k) coordinate[k] = block.varying[first + k].data();
-    if (!layout.has_q) return;
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
-      const FloatVector q = hn::Load(d, block.varying[first + count].data() + lane);
-      for (std::size_t k = 0; k < count; ++k) hn::Store(hn::Div(hn::Load(d, coordinate[k] + lane), q), d, lanes[k] + lane);
-    }
-    for (std::size_t k = 0; k < count; ++k) coordinate[k] = lanes[k];
+  HWY_INLINE void read_two(std::int32_t index, const float* share, std::uint64_t lanes, bool keeps_others) {
+    const TexelFilter filter = unit.state.sampler.minify;
+    TexelBlock next;
+    read_level(unit, at, index, filter, lanes, keeps_others, out);
+    read_level(unit, at, index + 1, filter, lanes, false, next);
+    mix_levels(next, share, lanes, out);
   }
 };
-
-HWY_INLINE const TextureCoordinateLayout& layout_of(const FragmentBlock& block, const PreparedUnit& unit) {
-  return block.primitive->binding->varyings.texture_coordinates[unit.state.unit];
-}
 
 /// r clamped to [0, 1], if the unit compares [GL1.5 §3.8.14]. Depth textures have at most two dimensions: r is the third.
 HWY_INLINE const float* compared_lanes(const PreparedUnit& unit, const DividedCoordinates& coordinates, float* storage) {
@@ -226,7 +118,8 @@ void sample_levels(const FragmentBlock& block, const PreparedUnit& unit, TexelBl
   const DividedCoordinates coordinates(block, layout);
   alignas(64) float r[64];
   const LaneCoordinates at{coordinates.coordinate, compared_lanes(unit, coordinates, r), 0};
-  sample_face(unit, at, coordinate_planes(block, layout), block.coverage, false, out);
+  FaceReader reader{unit, at, out};
+  read_levels(unit, reader, coordinate_planes(block, layout), block.coverage, false);
 }
 
 /// Signs and axes of [GL1.5 Table 3.20]: s_c, t_c and |m_a| of a face, by axis of (r_x, r_y, r_z).
@@ -293,8 +186,9 @@ void sample_cube_map(const FragmentBlock& block, const PreparedUnit& unit, Texel
     on_face.denominator = times(planes.numerator[of(axes.m_axis)], axes.m_sign);
     const LaneCoordinates at{{s, t, nullptr}, nullptr, static_cast<std::int32_t>(face)};
     const bool part = keeps_others || lanes != block.coverage;
-    if (needs_no_lod(unit.state.sampler)) read_level(unit, at, 0, unit.state.sampler.minify, lanes, part, out);
-    else sample_face(unit, at, on_face, lanes, part, out);
+    FaceReader reader{unit, at, out};
+    if (needs_no_lod(unit.state.sampler)) reader.read(0, unit.state.sampler.minify, lanes, part);
+    else read_levels(unit, reader, on_face, lanes, part);
     keeps_others = true;
   }
 }

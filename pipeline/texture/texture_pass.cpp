@@ -23,8 +23,16 @@ void apply_textures(FragmentBlock& block, const TileTarget&) {
   }
 }
 
+void apply_textures_to_words(FragmentBlock& block, const TileTarget& target) {
+  const TextureUnits& units = *block.primitive->binding->texture_units;
+  if (units.fixed != nullptr && units.fixed(block, units)) return;
+  apply_textures(block, target);
+  units.pack(block);
+}
+
 }  // namespace
 
 FragmentPass texture_pass() { return apply_textures; }
+FragmentPass texture_words_pass() { return apply_textures_to_words; }
 
 }  // namespace gouraud::pipeline

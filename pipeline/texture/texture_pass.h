@@ -8,4 +8,7 @@ namespace gouraud::pipeline {
 /// Takes unscaled colours in the block, gives those that the binding's units make of them, times their output_scale.
 FragmentPass texture_pass();
 
+/// The same for targets of 8-bit channels: gives FragmentBlock::words.
+FragmentPass texture_words_pass();
+
 }  // namespace gouraud::pipeline

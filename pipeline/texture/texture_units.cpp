@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/texture/environment.h"
+#include "pipeline/texture/fixed_units.h"
 #include "pipeline/texture/level_kernels.h"
 #include "pipeline/texture/sampling.h"
 #include "pipeline/texture/texel_access.h"
@@ -101,6 +102,8 @@ void prepare_texture_units(const TexturingState& state, float output_scale, Text
     prepare_unit(state.unit[i], out.unit[i]);
     out.keeps_primary |= reads_primary(state.unit[i].environment);
   }
+  out.fixed = fixed_units_function(out);
+  out.pack = packing_function();
 }
 
 }  // namespace gouraud::pipeline

@@ -81,8 +81,14 @@ struct PreparedUnit {
   }
 };
 
+struct TextureUnits;
+/// All units at once, to FragmentBlock::words; false if it cannot, and nothing has changed.
+using FixedUnitsFunction = bool (*)(FragmentBlock& block, const TextureUnits& units);
+
 struct TextureUnits {
   std::int32_t count = 0;
+  FixedUnitsFunction fixed = nullptr;  ///< null: the units go one by one
+  void (*pack)(FragmentBlock& block) = nullptr;  ///< colours behind the last unit to words
   float output_scale = 1.0f;
   bool keeps_primary = false;  ///< a combiner reads the primary colour
   std::array<PreparedUnit, max_texture_units> unit;
