@@ -28,6 +28,7 @@ STAGE_DATA = {
     "pipeline/raster/fragment_block.h",
     "pipeline/raster/primitive.h",
     "pipeline/raster/interpolation-inl.h",
+    "pipeline/raster/pixel_image.h",
     "pipeline/texture/image.h",
     "pipeline/framebuffer/framebuffer.h",
 }
@@ -53,6 +54,7 @@ RULES = {
     "api/commands": {"GL/gl.h", "api/state", "api/context", "api/registry", "api/snapshot",
                      "pipeline/framebuffer",       # ReadPixels takes rows out of the target
                      "pipeline/texture",           # TexImage puts texels into images
+                     "pipeline/draw/pixel_draws.h", "pipeline/raster/pixel_image.h",  # Bitmap, DrawPixels, CopyPixels
                      "pipeline/geometry/vertex_batch.h",  # evaluators ask what a vertex demands
                      "pipeline/simd/dispatch.h"},  # GL_RENDERER names the instruction set
     "api/snapshot": {"GL/gl.h", "api/state", "api/context", "pipeline/draw",

@@ -1,14 +1,14 @@
 // Takes the records of the entry points, puts them into the open list [GL1.5 §5.4]: vertices and their values in one
 // canonical form, whole runs of them as a VertexRun, other commands as they are, with a copy of the client memory.
 // Draws from vertex arrays are taken apart into vertices at once.
-// Leaves out: images, which no command yet reads in a list; their pointers become null.
+// Images are list_images.h's.
 #include <cstring>
 #include <new>
 #include <span>
 #include <utility>
 
 #include "api/commands/display_lists.h"
-#include "api/commands/pixel_store.h"
+#include "api/commands/list_images.h"
 #include "api/commands/vertex_run.h"
 #include "records.h"
 
@@ -68,17 +68,6 @@ ListTag tag_of(const VertexValue& value) {
   }
 }
 
-// From the pointer to behind the last byte of a bitmap [GL1.5 §3.6.4, §3.7]: rows of whole bytes, aligned, and
-// SKIP_PIXELS counts bits.
-std::size_t bitmap_bytes(const PixelStore& store, GLsizei width, GLsizei height) {
-  if (width <= 0 || height <= 0) return 0;
-  const auto row_px = static_cast<std::size_t>(store.row_length_px > 0 ? store.row_length_px : width);
-  const auto alignment = static_cast<std::size_t>(store.alignment);
-  const std::size_t stride = ((row_px + 7) / 8 + alignment - 1) / alignment * alignment;
-  const std::size_t last_row = static_cast<std::size_t>(store.skip_rows) + static_cast<std::size_t>(height) - 1;
-  return last_row * stride + (static_cast<std::size_t>(store.skip_pixels) + static_cast<std::size_t>(width) + 7) / 8;
-}
-
 // How many floats or doubles a control point of this map has [GL1.5 Table 5.1]; 0 for an unknown map.
 std::size_t values_of_point(GLenum target) {
   const GLenum kind1 = target - GL_MAP1_COLOR_4, kind2 = target - GL_MAP2_COLOR_4;
@@ -120,7 +109,7 @@ std::size_t map_values(Opcode opcode, const void* record) {
 }
 
 // The bytes that a pointer of the record leads to; 0 if the command will not read them.
-std::size_t memory_bytes(const Context& context, const records::ClientMemory& memory, const void* record) {
+std::size_t memory_bytes(const records::ClientMemory& memory, const void* record) {
   switch (memory.length) {
     case Length::elements: {
       GLsizei count;
@@ -131,12 +120,6 @@ std::size_t memory_bytes(const Context& context, const records::ClientMemory& me
       const auto& r = *static_cast<const records::CallLists*>(record);
       return r.n > 0 ? static_cast<std::size_t>(r.n) * list_offset_bytes(r.type) : 0;
     }
-    case Length::bitmap: {
-      const auto& r = *static_cast<const records::Bitmap*>(record);
-      return bitmap_bytes(context.state.unpack, r.width, r.height);
-    }
-    case Length::polygon_stipple:
-      return bitmap_bytes(context.state.unpack, 32, 32);
     case Length::map_points:
       return map_values(memory.opcode, record) * memory.element_bytes;
     default:
@@ -153,17 +136,25 @@ std::span<const records::ClientMemory> memory_of(Opcode opcode) {
   return {first, last};
 }
 
-void append_command(const Context& context, DisplayList& list, Opcode opcode, const void* record, std::size_t bytes) {
-  const auto memory = memory_of(opcode);
-  if (!memory.empty() && (memory[0].length == Length::bitmap || memory[0].length == Length::polygon_stipple)) {
-    std::memcpy(list.append(ListTag::with_pixel_store, sizeof(PixelStore)), &context.state.unpack, sizeof(PixelStore));
-  }
+// The PixelStore for the image, then the command with its copy.
+void append_pixel_command(Context& context, DisplayList& list, Opcode opcode, const void* record, std::size_t bytes) {
+  const KeptImage kept = keep_image(context, list, opcode, record);
+  if (!kept.compiled) return;
+  const records::ClientMemory& pointer = memory_of(opcode)[0];
+  std::memcpy(list.append(ListTag::with_pixel_store, sizeof(PixelStore)), &kept.store, sizeof(PixelStore));
   std::byte* const copy = list.append(static_cast<ListTag>(opcode), bytes);
   std::memcpy(copy, record, bytes);
-  for (const records::ClientMemory& part : memory) {
+  std::memcpy(copy + pointer.pointer_offset, &kept.memory, sizeof(kept.memory));
+}
+
+void append_command(Context& context, DisplayList& list, Opcode opcode, const void* record, std::size_t bytes) {
+  if (reads_pixels(opcode)) return append_pixel_command(context, list, opcode, record, bytes);
+  std::byte* const copy = list.append(static_cast<ListTag>(opcode), bytes);
+  std::memcpy(copy, record, bytes);
+  for (const records::ClientMemory& part : memory_of(opcode)) {
     const void* pointer;
     std::memcpy(&pointer, copy + part.pointer_offset, sizeof(pointer));
-    const std::size_t size = memory_bytes(context, part, record);
+    const std::size_t size = memory_bytes(part, record);
     const void* const kept = pointer != nullptr && size > 0 ? list.keep(pointer, size) : nullptr;
     std::memcpy(copy + part.pointer_offset, &kept, sizeof(kept));
   }

@@ -24,9 +24,11 @@ const std::byte* execute_entry(Context& context, ListEntry entry, const std::byt
 // The entry behind the PixelStore, which holds for it alone.
 const std::byte* execute_with_pixel_store(Context& context, const std::byte* payload, const std::byte* next) {
   const PixelStore now = std::exchange(context.state.unpack, *reinterpret_cast<const PixelStore*>(payload));
+  BufferBinding buffer = std::exchange(context.state.unpack_buffer, nullptr);  // what was in it is in the list
   const auto* const entry = reinterpret_cast<const ListEntry*>(next);
   const std::byte* const end = execute_entry(context, *entry, next + sizeof(ListEntry));
   context.state.unpack = now;
+  context.state.unpack_buffer = std::move(buffer);
   return end;
 }
 

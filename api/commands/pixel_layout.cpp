@@ -98,24 +98,34 @@ std::optional<Refusal> refusal(const FormatRow* format, const TypeRow* type) {
   return std::nullopt;
 }
 
+PixelLayout layout_of(const FormatRow& format, const TypeRow& type) {
+  PixelLayout layout;
+  layout.kind = format.kind;
+  layout.element = type.element;
+  layout.element_count = format.count;
+  layout.element_bytes = type.bytes;
+  layout.channel = format.channel;
+  layout.field = type.field;
+  layout.pixel_bytes = static_cast<std::uint8_t>(type.bytes * format.count);
+  if (type.fields != 0 || type.element == ElementType::depth24_stencil8) layout.pixel_bytes = type.bytes;
+  if (type.element == ElementType::bits) layout.pixel_bytes = 0;
+  return layout;
+}
+
 }  // namespace
 
 bool find_pixel_layout(Context& context, const char* command, GLenum format, GLenum type, PixelLayout& layout) {
+  if (has_pixel_layout(format, type, layout)) return true;
+  const auto refused = refusal(find(format_rows, &FormatRow::format, format), find(type_rows, &TypeRow::type, type));
+  context.record_error(refused->error, command, refused->message);
+  return false;
+}
+
+bool has_pixel_layout(GLenum format, GLenum type, PixelLayout& layout) {
   const FormatRow* const format_row = find(format_rows, &FormatRow::format, format);
   const TypeRow* const type_row = find(type_rows, &TypeRow::type, type);
-  if (const auto refused = refusal(format_row, type_row)) {
-    context.record_error(refused->error, command, refused->message);
-    return false;
-  }
-  layout.kind = format_row->kind;
-  layout.element = type_row->element;
-  layout.element_count = format_row->count;
-  layout.element_bytes = type_row->bytes;
-  layout.channel = format_row->channel;
-  layout.field = type_row->field;
-  layout.pixel_bytes = static_cast<std::uint8_t>(type_row->bytes * format_row->count);
-  if (type_row->fields != 0 || type_row->element == ElementType::depth24_stencil8) layout.pixel_bytes = type_row->bytes;
-  if (type_row->element == ElementType::bits) layout.pixel_bytes = 0;
+  if (refusal(format_row, type_row)) return false;
+  layout = layout_of(*format_row, *type_row);
   return true;
 }
 

@@ -46,4 +46,7 @@ struct PixelLayout {
 /// type that does not match the format.
 bool find_pixel_layout(Context& context, const char* command, GLenum format, GLenum type, PixelLayout& layout);
 
+/// The same without a word: whether the layout exists.
+bool has_pixel_layout(GLenum format, GLenum type, PixelLayout& layout);
+
 }  // namespace gouraud::api

@@ -13,6 +13,7 @@
 #include "api/commands/client_pixels.h"
 #include "api/commands/pack_rows.h"
 #include "api/commands/pixel_transfer.h"
+#include "api/commands/target_values.h"
 #include "pipeline/framebuffer/pack.h"
 #include "pipeline/framebuffer/read.h"
 
@@ -23,20 +24,6 @@ using pipeline::ColorFormat;
 using pipeline::DepthFormat;
 using pipeline::Framebuffer;
 using pipeline::PackedLayout;
-
-/// GL_INVALID_OPERATION if the target has nothing of the kind.
-const char* missing(const Framebuffer& target, PixelKind kind) {
-  const bool has_depth = target.has_depth, has_stencil = target.stencil_bits != 0;
-  switch (kind) {
-    case PixelKind::color:
-      return target.color_format != ColorFormat::none ? nullptr : "the read buffer is GL_NONE";
-    case PixelKind::color_index: return "there are no color indices in RGBA mode";
-    case PixelKind::depth: return has_depth ? nullptr : "there is no depth buffer";
-    case PixelKind::stencil_index: return has_stencil ? nullptr : "there is no stencil buffer";
-    case PixelKind::depth_stencil: return has_depth && has_stencil ? nullptr : "there are no depth and stencil buffers";
-  }
-  return nullptr;
-}
 
 /// A rectangle inside the target, and its first pixel's place in the image.
 struct Transfer {
@@ -111,28 +98,6 @@ void read_fixed_row(const Framebuffer& target, int x, int y, int count, std::uin
   std::transform(out, out + count, out, [wide](std::uint32_t z) { return wide ? z << 8 | z >> 16 : z << 16 | z; });
 }
 
-// In [0, 1], exactly what is stored divided by the largest value.
-void read_depth_doubles(const Framebuffer& target, int x, int y, std::vector<double>& depths) {
-  const auto count = static_cast<int>(depths.size());
-  if (target.depth_format == DepthFormat::z32f) {
-    std::vector<float> floats(depths.size());
-    read_depth_row_float(target, x, y, count, floats.data());
-    std::copy(floats.begin(), floats.end(), depths.begin());
-    return;
-  }
-  std::vector<std::uint32_t> units(depths.size());
-  read_depth_row(target, x, y, count, units.data());
-  const double most = target.depth_format == DepthFormat::z24s8 ? 16777215.0 : 65535.0;
-  std::transform(units.begin(), units.end(), depths.begin(), [most](std::uint32_t z) { return z / most; });
-}
-
-void read_stencils(const Context& context, const Framebuffer& target, int x, int y, std::vector<std::uint32_t>& stencils) {
-  std::vector<std::uint8_t> values(stencils.size());
-  read_stencil_row(target, x, y, static_cast<int>(values.size()), values.data());
-  std::copy(values.begin(), values.end(), stencils.begin());
-  if (transfers_stencil(context.state.pixel.transfer)) transfer_stencil(context.state, stencils.data(), stencils.size());
-}
-
 void read_other(const Context& context, const Framebuffer& target, const Transfer& transfer, const ClientImage& image) {
   const auto count = static_cast<std::size_t>(transfer.width);
   const bool transfers = transfers_depth(context.state.pixel.transfer);
@@ -148,13 +113,16 @@ void read_other(const Context& context, const Framebuffer& target, const Transfe
       continue;
     }
     if (image.layout.kind != PixelKind::stencil_index) {
-      read_depth_doubles(target, transfer.x, y, depths);
+      read_depths(target, transfer.x, y, transfer.width, depths.data());
       if (transfers) {
         transfer_depth(context.state, depths.data(), count);
         for (double& depth : depths) depth = depth > 0.0 ? std::min(depth, 1.0) : 0.0;
       }
     }
-    if (image.layout.kind != PixelKind::depth) read_stencils(context, target, transfer.x, y, words);
+    if (image.layout.kind != PixelKind::depth) {
+      read_stencils(target, transfer.x, y, transfer.width, words.data());
+      if (transfers_stencil(context.state.pixel.transfer)) transfer_stencil(context.state, words.data(), count);
+    }
     switch (image.layout.kind) {
       case PixelKind::depth: pack_depth(image, transfer.run(i), depths.data()); break;
       case PixelKind::stencil_index: pack_indices(image, transfer.run(i), words.data()); break;
@@ -172,9 +140,10 @@ void ReadPixels(Context& context, GLint x, GLint y, GLsizei width, GLsizei heigh
   const Framebuffer& target = *context.read_target();
   ClientImage image;
   if (!check_pack(context, command, {width, height}, format, type, pixels, image)) return;
-  if (const char* const problem = missing(target, image.layout.kind)) {
-    return context.record_error(GL_INVALID_OPERATION, command, problem);
-  }
+  const char* problem = missing_buffer(target, image.layout.kind);
+  if (image.layout.kind == PixelKind::color_index) problem = "there are no color indices in RGBA mode";
+  if (image.layout.kind == PixelKind::color && target.color_format == ColorFormat::none) problem = "the read buffer is GL_NONE";
+  if (problem != nullptr) return context.record_error(GL_INVALID_OPERATION, command, problem);
   const Transfer transfer = clipped(target, x, y, width, height);
   if (image.null() || transfer.width == 0) return;
 

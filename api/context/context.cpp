@@ -163,6 +163,7 @@ void Context::refresh() {
     const TargetInfo target = target_info();
     pipeline::DrawState next = draw_state_;
     update_draw_state(state, target, dirty, next);
+    pixel_draw_valid_ = pixel_draw_valid_ && next == draw_state_ && target.format == pixel_draw_format_;
     if (next != draw_state_) {
       flush_vertices();
       next.lighting.material = draw_state_.lighting.material;
@@ -209,6 +210,19 @@ void Context::hold_textures() {
     if (held_textures_[i] != nullptr) renderer_.keep(std::move(held_textures_[i]));
     held_textures_[i] = wanted != nullptr ? state.texture.units[unit.unit].binding[index_of(unit.target)]->texture : nullptr;
   }
+}
+
+const pipeline::PixelDraw& Context::pixel_draw() {
+  refresh();
+  flush_vertices();
+  if (!pixel_draw_valid_) {
+    pixel_draw_.state = pipeline::pixel_draw_state(draw_state_);
+    pixel_draw_format_ = target_info().format;
+    pixel_draw_.plan = pipeline::make_plan(pixel_draw_.state, pixel_draw_format_);
+    ++pixel_draw_.version;
+    pixel_draw_valid_ = true;
+  }
+  return pixel_draw_;
 }
 
 void Context::trace_plan() const {

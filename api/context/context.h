@@ -140,6 +140,8 @@ class Context {
 
   const pipeline::DrawState& draw_state() const { return draw_state_; }
   const pipeline::Plan& plan() const { return plan_; }
+  /// What bitmaps and pixel rectangles are drawn with now. Refreshes, and flushes pending vertices.
+  const pipeline::PixelDraw& pixel_draw();
   TargetInfo target_info() const;  ///< of the framebuffer that is drawn into
 
   pipeline::Renderer& renderer() { return renderer_; }
@@ -191,6 +193,9 @@ class Context {
   std::shared_ptr<RenderbufferNames> renderbuffer_names_;
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
+  pipeline::PixelDraw pixel_draw_{};
+  pipeline::TargetFormat pixel_draw_format_{};
+  bool pixel_draw_valid_ = false;
   std::unique_ptr<pipeline::Framebuffer> window_;
   bool window_dirty_ = false;  // besides what the renderer knows, if it draws into the window
   bool draw_complete_ = true, read_complete_ = true;

@@ -26,10 +26,13 @@ void DisplayList::rewrite(std::size_t offset, const void* payload, std::size_t b
   std::memcpy(bytes_.data() + offset + sizeof(ListEntry), payload, bytes);
 }
 
-const void* DisplayList::keep(const void* client_memory, std::size_t bytes) {
+std::byte* DisplayList::allocate(std::size_t bytes) {
   client_memory_.push_back(std::make_unique_for_overwrite<std::byte[]>(bytes));
-  std::memcpy(client_memory_.back().get(), client_memory, bytes);
   return client_memory_.back().get();
+}
+
+const void* DisplayList::keep(const void* client_memory, std::size_t bytes) {
+  return std::memcpy(allocate(bytes), client_memory, bytes);
 }
 
 std::shared_ptr<const DisplayList> DisplayLists::find(GLuint name) const {

@@ -55,6 +55,8 @@ class DisplayList {
   const void* keep(const void* client_memory, std::size_t bytes);
   /// Writes over the payload of the entry at this offset.
   void rewrite(std::size_t offset, const void* payload, std::size_t bytes);
+  /// Memory that lives as long as the list, to be written. Throws std::bad_alloc.
+  std::byte* allocate(std::size_t bytes);
   /// Drops the entries from this offset on.
   void truncate(std::size_t offset) { bytes_.resize(offset); }
   void shrink_to_fit() { bytes_.shrink_to_fit(); }

@@ -9,6 +9,7 @@
 #include "conformance/oracle/clipping.h"
 #include "conformance/oracle/fragments.h"
 #include "conformance/oracle/lighting.h"
+#include "conformance/oracle/pixel_rectangles.h"
 #include "conformance/oracle/positions.h"
 #include "conformance/oracle/rasterize.h"
 #include "conformance/oracle/texture_coordinates.h"
@@ -280,6 +281,15 @@ void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch&
   } else {
     draw_batch<double>(state, batch, options_, picture_, stipple_count_);
   }
+}
+
+void Oracle::rectangle(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+                       const pipeline::PixelRectangle& rectangle) {
+  draw_rectangle(picture_, state, source, rectangle);
+}
+
+void Oracle::bitmap(const pipeline::DrawState& state, const pipeline::FragmentSource& source, const pipeline::Bitmap& bitmap) {
+  draw_bitmap(picture_, state, source, bitmap);
 }
 
 void Oracle::clear(const pipeline::ClearState& state) {

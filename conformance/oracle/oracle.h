@@ -111,6 +111,10 @@ class Oracle : public pipeline::DrawObserver {
   void draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) override;
   void clear(const pipeline::ClearState& state) override;
   void accumulate(const pipeline::AccumState& state) override;
+  void rectangle(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+                 const pipeline::PixelRectangle& rectangle) override;
+  void bitmap(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+              const pipeline::Bitmap& bitmap) override;
 
   const OraclePicture& picture() const { return picture_; }
 

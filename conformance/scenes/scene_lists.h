@@ -39,6 +39,7 @@ SceneList texture_image_scenes();    // §3.8.1
 SceneList color_sum_scenes();        // §3.9
 SceneList secondary_color_scenes();  // §3.9, without lighting
 SceneList fog_scenes();              // §3.10
+SceneList pixel_scenes();            // §3.6.4, §3.6.5, §3.7, §4.3.3
 SceneList scissor_scenes();          // §4.1.2
 SceneList alpha_test_scenes();       // §4.1.4
 SceneList stencil_scenes();          // §4.1.5

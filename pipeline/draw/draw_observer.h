@@ -4,6 +4,7 @@
 
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/geometry/vertex_batch.h"
+#include "pipeline/raster/pixel_image.h"
 
 namespace gouraud::pipeline {
 
@@ -15,6 +16,9 @@ class DrawObserver {
   virtual void draw(const DrawState& state, const VertexBatch& batch) = 0;
   virtual void clear(const ClearState& state) = 0;
   virtual void accumulate(const AccumState&) {}
+  /// [GL1.5 §3.6.4, §3.7]; `state` is a pixel_draw_state.
+  virtual void rectangle(const DrawState&, const FragmentSource&, const PixelRectangle&) {}
+  virtual void bitmap(const DrawState&, const FragmentSource&, const Bitmap&) {}
 };
 
 }  // namespace gouraud::pipeline

@@ -13,6 +13,7 @@
 #include <sched.h>
 #endif
 
+#include "pipeline/draw/pixel_draws.h"
 #include "pipeline/draw/sample_counter.h"
 #include "pipeline/draw/tiles.h"
 #include "pipeline/draw/varying_layout.h"
@@ -31,6 +32,9 @@
 
 namespace gouraud::pipeline {
 namespace {
+
+/// So much memory of images may wait for the tiles.
+constexpr std::size_t image_bytes_limit = std::size_t{64} << 20;
 
 /// What multiplies a depth in [0, 1] to give buffer units.
 double depth_scale(DepthFormat format) {
@@ -96,7 +100,7 @@ LineSpan unclipped_span(const ViewportState& viewport, const ProcessedVertices& 
 struct Renderer::Implementation {
   explicit Implementation(int thread_count) : bins(thread_count) {}
 
-  void prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings);
+  void prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const PlacedImage* image = nullptr);
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   void draw_primitives(const DrawState& state, const VertexBatch& batch);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
@@ -110,16 +114,23 @@ struct Renderer::Implementation {
   void draw_point(const AssembledPoint& point);
   bool stippled() const { return setup->lines.stipple_pattern != 0xFFFF; }
   void clip_and_draw(const AssembledTriangle& triangle);
+  void prepare_fragments(const PixelDraw& draw, const FragmentSource& source, const PlacedImage* image);
+  template <class Add>
+  void add_to_samples(const DrawState& state, Add add);
+  PlacedImage* keep_image(const PixelRectangle& rectangle, const PlacedRectangle& placed);
+  PrimitiveRecord& bitmap_record(const PixelDraw& draw, const FragmentSource& source);
   /// Rasterizes what is pending.
   void run_bins() {
     bins.run();
     kept.clear();
+    kept_image_bytes = 0;
   }
   void emit(const AssembledTriangle& triangle) { unfilled ? draw_unfilled(triangle) : draw_triangle(triangle); }
 
   TileBins bins;
   std::vector<std::shared_ptr<const void>> kept;  ///< until the bins have run
   std::shared_ptr<SampleCounter> samples;
+  std::size_t kept_image_bytes = 0;
   DrawObserver* observer = nullptr;
   PrimitiveReceiver* receiver = nullptr;
   bool dirty = false;
@@ -139,11 +150,21 @@ struct Renderer::Implementation {
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
   ProcessedVertices vertices;
+
+  // Of bitmaps and pixel rectangles. Glyphs of one text share a record.
+  std::unique_ptr<VertexBatch> source_vertex;
+  struct {
+    PrimitiveRecord* record = nullptr;
+    FragmentSource source{};
+    std::uint64_t version = 0, generation = 0;
+  } last_bitmap;
 };
 
 /// What a draw needs of the stages after the vertices.
-void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings) {
-  RasterBinding binding{state.raster, plan.fragment, varyings, plan.colors, nullptr, nullptr};
+void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings,
+                                       const PlacedImage* image) {
+  RasterBinding binding{state.raster, plan.fragment, varyings, plan.colors};
+  binding.image = image;
   if (plan.textured) {
     const TileBins::InternedTextures& textures = bins.intern(state.texturing, color_scale(bins.target()->color_format));
     binding.texturing = &textures.state;
@@ -450,6 +471,110 @@ ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& pla
   return result;
 }
 
+/// What the fragments of a bitmap or pixel rectangle need of the stages after the vertices: a vertex of their own.
+void Renderer::Implementation::prepare_fragments(const PixelDraw& draw, const FragmentSource& source, const PlacedImage* image) {
+  if (source_vertex == nullptr) source_vertex = std::make_unique<VertexBatch>();
+  fill_batch(source, *source_vertex);
+  const VaryingLayout varyings = make_varying_layout(draw.state, draw.plan, *source_vertex);
+  prepare(draw.state, draw.plan, varyings, image);
+  run_vertex_stages(draw.state, draw.plan, varyings, *source_vertex);
+  vertices.window[0] = {0.0f, 0.0f, source.depth, 1.0f};
+}
+
+PrimitiveRecord& Renderer::Implementation::bitmap_record(const PixelDraw& draw, const FragmentSource& source) {
+  const bool same = last_bitmap.record != nullptr && draw.version == last_bitmap.version &&
+                    bins.generation() == last_bitmap.generation && source == last_bitmap.source;
+  if (!same) {
+    prepare_fragments(draw, source, nullptr);
+    void* const memory = bins.allocate(record_size(*setup));
+    last_bitmap = {&setup_fragments(*setup, vertices, draw.state.raster.scissor, memory), source, draw.version, bins.generation()};
+  }
+  return *last_bitmap.record;
+}
+
+/// Calls add() for every sample that is drawn: all get the pixel's fragment.
+template <class Add>
+void Renderer::Implementation::add_to_samples(const DrawState& state, Add add) {
+  for (std::int32_t sample = 0; sample < bins.target()->samples; ++sample) {
+    if (bins.target()->samples > 1 && (state.multisample.sample_mask >> sample & 1) == 0) continue;
+    bins.select_sample(sample);
+    add();
+  }
+  bins.select_sample(0);
+}
+
+/// The image and its tables, in memory that lasts until the bins have run.
+PlacedImage* Renderer::Implementation::keep_image(const PixelRectangle& rectangle, const PlacedRectangle& placed) {
+  const PixelImage& image = *rectangle.image;
+  auto* const result = new (bins.allocate(sizeof(PlacedImage))) PlacedImage;
+  const auto width = static_cast<std::size_t>(image.width_px);
+  result->format = image.format;
+  kept_image_bytes += width * static_cast<std::size_t>(image.height_px) * bytes_per_pixel(image.format);
+  if (image.format == PixelImageFormat::depth) {
+    const std::shared_ptr<const float[]> units = depths_in_units(image, bins.target()->depth_format);
+    result->pixels = reinterpret_cast<const std::byte*>(units.get());
+    result->row_bytes = width * sizeof(float);
+    kept.push_back(units);
+  } else {
+    result->pixels = image.data.get();
+    result->row_bytes = width * bytes_per_pixel(image.format);
+    kept.push_back(rectangle.image);
+  }
+  const auto table = [&](const AxisMap& axis, std::int32_t& begin) -> const std::int32_t* {
+    begin = axis.begin - (axis.source.empty() ? axis.first_source : 0);
+    if (axis.source.empty()) return nullptr;
+    auto* const copy = static_cast<std::int32_t*>(bins.allocate(axis.source.size() * sizeof(std::int32_t)));
+    std::copy(axis.source.begin(), axis.source.end(), copy);
+    return copy;
+  };
+  result->column = table(placed.columns, result->x0);
+  result->row = table(placed.rows, result->y0);
+  return result;
+}
+
+void Renderer::draw_rectangle(const PixelDraw& draw, const FragmentSource& source, const PixelRectangle& rectangle) {
+  Implementation& self = *implementation_;
+  if (target() == nullptr) return;
+  if (self.observer != nullptr) self.observer->rectangle(draw.state, source, rectangle);
+  const PixelImage& image = *rectangle.image;
+  const PlacedRectangle placed = place(rectangle, image.width_px, image.height_px, draw.state.raster.scissor);
+  if (!draw.plan.draws || placed.empty()) return;
+
+  self.prepare_fragments(draw, source, self.keep_image(rectangle, placed));
+  self.dirty = true;
+  const PixelRect box{placed.columns.begin, placed.rows.begin, placed.columns.end, placed.rows.end};
+  PrimitiveRecord& record = setup_fragments(*self.setup, self.vertices, box, self.bins.allocate(record_size(*self.setup)));
+  if (image.format == PixelImageFormat::depth) {
+    record.depth.steep = true;
+  } else if (draw.plan.colors) {
+    ColorRecord& color = reinterpret_cast<ColoredPrimitive&>(record).color;
+    color.variation = ColorVariation::image;
+    color.base[0] = self.setup->targets.color_scale;
+  }
+  self.add_to_samples(draw.state, [&] { self.bins.add_polygon(record); });
+  if (self.bins.full() || self.kept_image_bytes > image_bytes_limit) self.run_bins();
+}
+
+void Renderer::draw_bitmap(const PixelDraw& draw, const FragmentSource& source, const Bitmap& bitmap) {
+  Implementation& self = *implementation_;
+  if (target() == nullptr) return;
+  if (self.observer != nullptr) self.observer->bitmap(draw.state, source, bitmap);
+  if (!draw.plan.draws) return;
+  const PrimitiveRecord& record = self.bitmap_record(draw, source);
+  self.dirty = true;
+  self.add_to_samples(draw.state, [&] { self.bins.add_bitmap(record, bitmap); });
+  if (self.bins.full()) self.run_bins();
+}
+
+void Renderer::write_rectangle(const DirectRectangle& rectangle) {
+  if (target() == nullptr) return;
+  finish();
+  implementation_->dirty = true;
+  for (int sample = 0; sample < target()->samples; ++sample) {
+    pipeline::write_rectangle(target()->samples > 1 ? target()->sample(sample) : *target(), rectangle);
+  }
+}
+
 void Renderer::clear(const ClearState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->clear(state);
@@ -472,7 +597,10 @@ void Renderer::accumulate(const AccumState& state) {
   if (implementation_->bins.full()) implementation_->run_bins();
 }
 
-void Renderer::count_samples(std::shared_ptr<SampleCounter> counter) { implementation_->samples = std::move(counter); }
+void Renderer::count_samples(std::shared_ptr<SampleCounter> counter) {
+  implementation_->samples = std::move(counter);
+  implementation_->last_bitmap.record = nullptr;
+}
 
 void Renderer::finish() { implementation_->run_bins(); }
 

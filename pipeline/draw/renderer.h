@@ -10,6 +10,7 @@
 
 #include "pipeline/draw/draw_observer.h"
 #include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/pixel_draws.h"
 #include "pipeline/draw/plan.h"
 #include "pipeline/draw/primitive_report.h"
 #include "pipeline/framebuffer/framebuffer.h"
@@ -50,6 +51,14 @@ class Renderer {
   void accumulate(const AccumState& state);
   /// Draws whose state counts samples add to this counter from now on. Null: there are none.
   void count_samples(std::shared_ptr<SampleCounter> counter);
+
+  /// Bitmaps and pixel rectangles [GL1.5 §3.6.4, §3.7]. The bitmap's bits are read at once, the rectangle's image until
+  /// it has been rasterized.
+  void draw_bitmap(const PixelDraw& draw, const FragmentSource& source, const Bitmap& bitmap);
+  void draw_rectangle(const PixelDraw& draw, const FragmentSource& source, const PixelRectangle& rectangle);
+  /// Draws what is pending, then writes.
+  void write_rectangle(const DirectRectangle& rectangle);
+
   /// The batch's first vertex through the vertex stages of a reporting plan; draws nothing.
   ProcessedVertex process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch);
 

@@ -11,6 +11,7 @@
 
 #include "pipeline/framebuffer/accumulation.h"
 #include "pipeline/framebuffer/clear.h"
+#include "pipeline/raster/bitmaps.h"
 #include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
@@ -269,6 +270,17 @@ void TileBins::add_pixels(const PrimitiveRecord& record, std::span<const PixelPo
   flush_block_list(record, tile);
 }
 
+void TileBins::add_bitmap(const PrimitiveRecord& record, const Bitmap& bitmap) {
+  const PixelRect clip{record.x0, record.y0, record.x1, record.y1}, box = bitmap_box(bitmap, clip);
+  if (box.empty()) return;
+  for (std::int32_t y = box.y0 / tile_size; y <= (box.y1 - 1) / tile_size; ++y) {
+    for (std::int32_t x = box.x0 / tile_size; x <= (box.x1 - 1) / tile_size; ++x) {
+      find_bitmap_blocks(bitmap, clip, x * tile_size, y * tile_size, block_list_);
+      flush_block_list(record, y * target_->tiles_x + x);
+    }
+  }
+}
+
 void TileBins::add_to_tiles(const PixelRect& box, const Entry& entry) {
   if (box.empty()) return;
   for (int sample = 0; sample < target_->samples; ++sample) {
@@ -426,6 +438,7 @@ void TileBins::run() {
   clears_.clear();
   accums_.clear();
   arena_.reset();
+  ++generation_;
 }
 
 }  // namespace gouraud::pipeline

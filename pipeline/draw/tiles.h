@@ -11,6 +11,7 @@
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/worker_pool.h"
 #include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/raster/pixel_image.h"
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/primitive.h"
 #include "pipeline/raster/setup.h"
@@ -78,10 +79,14 @@ class TileBins {
   void add_pixels(const PrimitiveRecord& record, std::span<const PixelPosition> pixels, const PixelRect& scissor);
   void add_clear(const ClearState& state);
   void add_accum(const AccumState& state);
+  /// Fragments at the bits that are set, each once, inside the record's box.
+  void add_bitmap(const PrimitiveRecord& record, const Bitmap& bitmap);
 
   bool pending() const { return !touched_.empty(); }
   /// True when so much waits that it should be rasterized now.
   bool full() const;
+  /// Counts runs: what allocate() gave is good as long as this stays the same.
+  std::uint64_t generation() const { return generation_; }
   /// Rasterizes all that waits.
   void run();
 
@@ -123,6 +128,7 @@ class TileBins {
   std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of each sample, sample after sample
   std::vector<std::int32_t> touched_;  ///< bins with entries
   std::size_t entry_count_ = 0;
+  std::uint64_t generation_ = 0;
   std::vector<BlockMask> block_list_;  ///< of the pixels being added
   std::size_t arena_limit_;
   WorkerPool workers_;

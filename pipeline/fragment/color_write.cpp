@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/image_colors-inl.h"
 #include "pipeline/fragment/pixel_words-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 
@@ -98,6 +99,53 @@ HWY_INLINE void write_constant(const FragmentBlock& block, const ColorRecord& co
   }
 }
 
+/// Bytes v become v * scale / 255: exactly the byte for targets of bytes, 257 v for 16 bits.
+template <class Sink>
+HWY_INLINE void write_image_bytes(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
+  const IntTag di;
+  const FloatTag d;
+  alignas(64) std::int32_t word[64];
+  load_image_words(*block.primitive->binding->image, block, word);
+  const FloatVector scale = hn::Set(d, color.base[0]), most = hn::Set(d, 255.0f);
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t covered = lane_bits(block.coverage, lane);
+    if (covered == 0) continue;
+    const IntVector words = hn::Load(di, word + lane), low = hn::Set(di, 0xFF);
+    const auto channel = [&](IntVector bits) HWY_ATTR {
+      return hn::Div(hn::Mul(hn::ConvertTo(d, hn::And(bits, low)), scale), most);
+    };
+    sink.write(channel(words), channel(hn::ShiftRight<8>(words)), channel(hn::ShiftRight<16>(words)),
+               channel(hn::ShiftRight<24>(words)), covered, lane);
+  }
+}
+
+template <class Sink>
+HWY_INLINE void write_image_floats(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
+  const FloatTag d;
+  alignas(64) float value[4][64];
+  for_image_pixels(*block.primitive->binding->image, block, [&](std::int32_t lane, const std::byte* pixel) {
+    float rgba[4];
+    std::memcpy(rgba, pixel, sizeof rgba);
+    for (std::size_t k = 0; k < 4; ++k) value[k][lane] = rgba[k] * color.base[0];
+  });
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t covered = lane_bits(block.coverage, lane);
+    if (covered == 0) continue;
+    const auto channel = [&](std::size_t k) HWY_ATTR { return hn::Load(d, value[k] + lane); };
+    sink.write(channel(0), channel(1), channel(2), channel(3), covered, lane);
+  }
+}
+
+/// A pixel rectangle's fragments; `base[0]` is the target's color_scale.
+template <class Sink>
+HWY_INLINE void write_image(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
+  if (block.primitive->binding->image->format == PixelImageFormat::rgba8) {
+    write_image_bytes(block, color, sink);
+  } else {
+    write_image_floats(block, color, sink);
+  }
+}
+
 template <class Sink, bool perspective, bool clamp, bool whole_block>
 HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
   const FloatTag d;
@@ -149,6 +197,7 @@ void shade(FragmentBlock& block, const TileTarget& target) {
   const Sink sink(block, target);
   switch (color.variation) {
     case ColorVariation::constant: return write_constant<Sink>(block, color, sink);
+    case ColorVariation::image: return write_image<Sink>(block, color, sink);
     case ColorVariation::affine:
       return color.clamp ? write_varying<Sink, false, true>(block, color, sink)
                          : write_varying<Sink, false, false>(block, color, sink);

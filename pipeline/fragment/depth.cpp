@@ -16,6 +16,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/image_colors-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -50,11 +51,21 @@ class SteppedDepth {
   float minimum_, maximum_;
 };
 
-/// Depths of a block, each lane from the plane in double: for steep planes and float buffers.
+/// Depths of a block, each lane from the plane in double: for steep planes and float buffers; or from an image.
 template <class Value, class Tag>
 class ExactDepth {
  public:
   HWY_INLINE ExactDepth(const DepthPlane& plane, const FragmentBlock& block) {
+    const PlacedImage* const image = block.primitive->binding->image;
+    if (image != nullptr && image->format == PixelImageFormat::depth) {
+      for (Value& value : value_) value = 0;
+      for_image_pixels(*image, block, [&](std::int32_t lane, const std::byte* pixel) {
+        float units;
+        std::memcpy(&units, pixel, sizeof units);
+        value_[lane] = static_cast<Value>(units);
+      });
+      return;
+    }
     for (std::int32_t lane = 0; lane < 64; ++lane) {
       const double z = std::clamp<double>(plane_at(plane, block.x + lane % 8, block.y + lane / 8), plane.minimum, plane.maximum);
       value_[lane] = static_cast<Value>(std::is_integral_v<Value> ? std::nearbyint(z) : z);

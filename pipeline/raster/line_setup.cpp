@@ -308,4 +308,11 @@ bool setup_point(const SetupState& state, const ProcessedVertices& vertices, con
   return true;
 }
 
+PrimitiveRecord& setup_fragments(const SetupState& state, const ProcessedVertices& vertices, const PixelRect& box,
+                                 void* memory) {
+  PrimitiveRecord& record = write_point_record(state, vertices, {}, memory);
+  set_box(state, box, record);
+  return record;
+}
+
 }  // namespace gouraud::pipeline

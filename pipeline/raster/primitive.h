@@ -18,6 +18,7 @@ namespace gouraud::pipeline {
 
 struct TextureUnits;  // pipeline/texture/texture_units.h
 class SampleCounter;  // pipeline/draw/sample_counter.h
+struct PlacedImage;  // pipeline/raster/pixel_image.h
 
 /// What the bins keep of a draw: shared by all primitives of equal draws.
 struct RasterBinding {
@@ -28,6 +29,7 @@ struct RasterBinding {
   const TexturingState* texturing = nullptr;  ///< interned too; null: no unit is textured
   const TextureUnits* texture_units = nullptr;  ///< made of it
   SampleCounter* samples = nullptr;           ///< kept like textures; of the occlusion query that was active; null: none
+  const PlacedImage* image = nullptr;         ///< of a pixel rectangle: gives colour or depth; null: none
   bool operator==(const RasterBinding&) const = default;
 };
 
@@ -57,7 +59,8 @@ struct SmoothShape {
 };
 
 /// How colour varies over the primitive.
-enum class ColorVariation : std::uint8_t { constant, affine, perspective };
+/// `image`: each fragment has its own, from the binding's image.
+enum class ColorVariation : std::uint8_t { constant, affine, perspective, image };
 
 struct DepthPlane {
   double origin = 0, dx = 0, dy = 0;  ///< in buffer units (0 .. 2^bits - 1); in [0, 1] for float depth

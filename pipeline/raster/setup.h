@@ -191,4 +191,8 @@ void setup_waiting_point(const SetupState& state, const WaitingPoint& point, voi
 bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, float size_px,
                  void* record, SmoothShape* shape);
 
+/// The record of a bitmap or pixel rectangle: all over what vertex 0 is, inside `box`, which is not empty.
+PrimitiveRecord& setup_fragments(const SetupState& state, const ProcessedVertices& vertices, const PixelRect& box,
+                                 void* record);
+
 }  // namespace gouraud::pipeline

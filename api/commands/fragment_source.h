@@ -1,0 +1,21 @@
+// From the current raster position to the pipeline: what DrawPixels, CopyPixels and Bitmap share [GL1.5 §2.13].
+#pragma once
+
+#include "api/context/context.h"
+#include "pipeline/draw/pixel_draws.h"
+
+namespace gouraud::api {
+
+inline pipeline::FragmentSource fragment_source(const RasterPosition& raster) {
+  return {raster.position_window.z, raster.distance, raster.color, raster.secondary_color, raster.texture_coordinates};
+}
+
+inline void draw_bitmap(Context& context, const pipeline::Bitmap& bitmap) {
+  context.renderer().draw_bitmap(context.pixel_draw(), fragment_source(context.state.current.raster), bitmap);
+}
+
+inline void draw_rectangle(Context& context, const pipeline::PixelRectangle& rectangle) {
+  context.renderer().draw_rectangle(context.pixel_draw(), fragment_source(context.state.current.raster), rectangle);
+}
+
+}  // namespace gouraud::api

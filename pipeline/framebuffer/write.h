@@ -1,0 +1,20 @@
+// Writing rows of depth and stencil into the target past all fragment operations, as pixel rectangles of stencil do
+// [GL1.5 §4.3.1]. All pending tiles must have been rasterized. Rows lie inside the target.
+#pragma once
+
+#include <cstdint>
+
+#include "pipeline/framebuffer/framebuffer.h"
+
+namespace gouraud::pipeline {
+
+/// Sets the bits of `mask` of pixels [x, x + count) of row y. Nothing happens without a stencil buffer.
+void write_stencil_row(const Framebuffer& target, int x, int y, int count, const std::uint8_t* values, std::uint8_t mask);
+
+/// Depths in [0, 1] become buffer units, to nearest; floats are kept. Nothing happens without a depth buffer.
+void write_depth_row(const Framebuffer& target, int x, int y, int count, const double* depths);
+
+/// A depth in [0, 1] in the units of a depth buffer, to nearest even; for z32f the depth itself.
+float depth_in_units(double depth, DepthFormat format);
+
+}  // namespace gouraud::pipeline
