@@ -171,7 +171,7 @@ ComponentBits component_bits(const StoredFormat& format) {
       break;
     case BaseFormat::depth:
       bits.depth = depth_bits(format.texels);
-      bits.stencil = format.stencil ? 8 : 0;
+      bits.stencil = format.stencil && format.texels == TexelFormat::z24s8 ? 8 : 0;
       break;
   }
   return bits;

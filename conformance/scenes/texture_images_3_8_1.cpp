@@ -208,7 +208,7 @@ void pixel_transfer(const GlTable& gl) {
   gl.PixelTransferf(GL_RED_BIAS, 0.25f);
   gl.PixelTransferf(GL_GREEN_SCALE, -1.0f);
   gl.PixelTransferf(GL_GREEN_BIAS, 1.0f);
-  gl.PixelTransferf(GL_ALPHA_BIAS, 0.5f);
+  gl.PixelTransferf(GL_ALPHA_BIAS, 0.4f);
   show(gl, 0, GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   show(gl, 1, GL_LUMINANCE8, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
   gl.PixelTransferf(GL_RED_SCALE, 1.0f);
@@ -236,7 +236,7 @@ void sub_images(const GlTable& gl) {
   nearest(gl);
   Random random(23);
   const Bytes bytes = random_bytes(random, cell * cell * 4);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, cell, cell, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, cell, cell, 0, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
   for (int i = 0; i < 40; ++i) {
     const int width = random.below(12), height = random.below(12);
     const int x = random.below(cell - width), y = random.below(cell - height);
@@ -273,10 +273,12 @@ void volumes(const GlTable& gl) {
   place(gl, 8);
 }
 
-/// Something to copy: triangles of smooth colours.
+/// Something to copy, none of it background: triangles of smooth colours.
 void backdrop(const GlTable& gl) {
   gl.Disable(GL_TEXTURE_2D);
   Random random(27);
+  gl.Color4f(0.3f, 0.4f, 0.2f, 1.0f);
+  draw_rectangle(gl, 0, 0, 256, 256, 0);
   gl.Begin(GL_TRIANGLES);
   for (int i = 0; i < 30; ++i) {
     const float red = random.range(0, 1), green = random.range(0, 1), blue = random.range(0, 1);
@@ -297,14 +299,12 @@ void copies(const GlTable& gl) {
     gl.CopyTexImage2D(GL_TEXTURE_2D, 0, format, 100 + 9 * index, 120, cell, cell, 0);
     place(gl, index++);
   }
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, cell, cell, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+  const Bytes grey(cell * cell * 3, 90);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, cell, cell, 0, GL_RGB, GL_UNSIGNED_BYTE, grey.data());
   for (int i = 0; i < 8; ++i) {
     gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 2 * i, 3 * i, 40 + 20 * i, 160, 12, 7);
     place(gl, index++);
   }
-  gl.PixelTransferf(GL_RED_SCALE, 0.0f);
-  gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 120, 120, cell, cell, 0);
-  place(gl, index++);
 }
 
 // Depth as a luminance texture: copied, and given as floats.
@@ -383,7 +383,7 @@ void odd_sizes(const GlTable& gl) {
   int index = 0;
   for (const int width : {1, 3, 7, 15, 29}) {
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, width, 31 - width, 0, GL_RGB, GL_UNSIGNED_BYTE, bytes.data());
-    place(gl, index++, 2.0f);
+    place(gl, index++, 2.03f);  // no pixel's centre between two texels
   }
   gl.Disable(GL_TEXTURE_2D);
   gl.Enable(GL_TEXTURE_RECTANGLE_ARB);

@@ -18,26 +18,31 @@ void put_little_endian(std::uint64_t value, int count, std::byte* bytes) {
   for (int i = 0; i < count; ++i, value >>= 8) bytes[i] = static_cast<std::byte>(value & 0xFF);
 }
 
-/// 5:6:5 bits to 8 each, by replicating the top bits.
+/// The channels of a 5:6:5 colour, and the most that each can be.
+constexpr Rgb most_565{31, 63, 31};
 Rgb from_565(unsigned color) {
-  const int r = color >> 11 & 31, g = color >> 5 & 63, b = color & 31;
-  return {r << 3 | r >> 2, g << 2 | g >> 4, b << 3 | b >> 2};
+  return {static_cast<int>(color >> 11 & 31), static_cast<int>(color >> 5 & 63), static_cast<int>(color & 31)};
 }
 unsigned to_565(const Rgb& c) {
   const auto scaled = [](int value, int most) { return static_cast<unsigned>((value * most + 127) / 255); };
   return scaled(c[0], 31) << 11 | scaled(c[1], 63) << 5 | scaled(c[2], 31);
 }
 
+/// (wa a + wb b) / (wa + wb) in bytes, to nearest: a and b are 5:6:5, nothing is rounded before.
+Rgb mixed(const Rgb& a, int wa, const Rgb& b, int wb) {
+  Rgb result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const int whole = (wa + wb) * most_565[c];
+    result[c] = (2 * 255 * (wa * a[c] + wb * b[c]) + whole) / (2 * whole);
+  }
+  return result;
+}
+
 /// The four colours that a block's codes choose among; true if the fourth is transparent black.
 bool make_palette(unsigned color0, unsigned color1, bool always_four, std::array<Rgb, 4>& palette) {
-  palette[0] = from_565(color0);
-  palette[1] = from_565(color1);
+  const Rgb a = from_565(color0), b = from_565(color1);
   const bool four = always_four || color0 > color1;
-  for (std::size_t c = 0; c < 3; ++c) {
-    const int a = palette[0][c], b = palette[1][c];
-    palette[2][c] = four ? (2 * a + b) / 3 : (a + b) / 2;
-    palette[3][c] = four ? (a + 2 * b) / 3 : 0;
-  }
+  palette = {mixed(a, 1, b, 0), mixed(a, 0, b, 1), four ? mixed(a, 2, b, 1) : mixed(a, 1, b, 1), four ? mixed(a, 1, b, 2) : Rgb{}};
   return !four;
 }
 
@@ -46,7 +51,7 @@ std::array<int, 8> alpha_palette(int alpha0, int alpha1) {
   std::array<int, 8> palette{alpha0, alpha1};
   const int steps = alpha0 > alpha1 ? 7 : 5;
   for (int i = 1; i < steps; ++i) {
-    palette[static_cast<std::size_t>(i) + 1] = ((steps - i) * alpha0 + i * alpha1) / steps;
+    palette[static_cast<std::size_t>(i) + 1] = ((steps - i) * alpha0 + i * alpha1 + steps / 2) / steps;
   }
   if (steps == 5) {
     palette[6] = 0;
