@@ -10,7 +10,7 @@ namespace {
 
 constexpr int depth_bits = 24;
 constexpr int stencil_bits = 8;
-constexpr int accumulation_bits = 0;
+constexpr int accumulation_bits = 16;
 
 }  // namespace
 

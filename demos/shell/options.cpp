@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cstdio>
 #include <sstream>
+#include <tuple>
+#include <utility>
 
 namespace shell {
 namespace {
@@ -20,15 +22,26 @@ std::optional<Number> parse_number(const std::string& text, Number low, Number h
   return value;
 }
 
+// Two numbers with a separator between them.
+std::optional<std::pair<int, int>> parse_pair(const std::string& text, char separator, int low, int high) {
+  const size_t at = text.find(separator);
+  if (at == std::string::npos) return std::nullopt;
+  const auto first = parse_number<int>(text.substr(0, at), low, high);
+  const auto second = parse_number<int>(text.substr(at + 1), low, high);
+  if (!first || !second) return std::nullopt;
+  return std::pair(*first, *second);
+}
+
 bool parse_size(const std::string& text, Options& options) {
-  const size_t x = text.find('x');
-  if (x == std::string::npos) return false;
-  const auto width = parse_number<int>(text.substr(0, x), 1, max_size_px);
-  const auto height = parse_number<int>(text.substr(x + 1), 1, max_size_px);
-  if (!width || !height) return false;
-  options.width_px = *width;
-  options.height_px = *height;
-  return true;
+  const auto size = parse_pair(text, 'x', 1, max_size_px);
+  if (size) std::tie(options.width_px, options.height_px) = *size;
+  return size.has_value();
+}
+
+bool parse_click(const std::string& text, Options& options) {
+  const auto position = parse_pair(text, ',', 0, max_size_px - 1);
+  if (position) options.click = Click{position->first, position->second};
+  return position.has_value();
 }
 
 std::optional<int> parse_key(const std::string& name) {
@@ -81,6 +94,7 @@ bool is_valid_out(const std::string& out) {
 bool take_value(const std::string& option, const std::string& value, Options& options) {
   if (option == "--size") return parse_size(value, options);
   if (option == "--keys") return parse_keys(value, options);
+  if (option == "--click") return parse_click(value, options);
   if (option == "--time") {
     options.time_s = parse_number<double>(value, 0.0, 1e6);
     return options.time_s.has_value();
@@ -99,6 +113,7 @@ bool take_value(const std::string& option, const std::string& value, Options& op
 const char* wanted_value(const std::string& option) {
   if (option == "--size") return "WIDTHxHEIGHT, each 1 to 16384";
   if (option == "--keys") return "a list such as left,right,up,down,space,z";
+  if (option == "--click") return "X,Y, each 0 to 16383";
   if (option == "--time") return "seconds, 0 to 1000000";
   if (option == "--out") return "a file name, with at most one %d, %4d or %04d";
   if (option == "--frames") return "a number, 1 to 1000000";
@@ -113,6 +128,7 @@ std::string help_text(const Demo& demo) {
        << "In the window: " << demo.keys_help << "; ESC ends.\n"
        << "  --size WxH     picture size (default " << demo.width_px << 'x' << demo.height_px << ")\n"
        << "  --keys LIST    press these keys before the first frame: left,right,up,down,space or a character\n"
+       << "  --click X,Y    then press the mouse at this pixel, y from the top\n"
        << "  --time S       hold the clock at S seconds\n"
        << "without a window:\n"
        << "  --out FILE     write the last frame as a PNG (default " << demo.name << ".png);\n"

@@ -9,6 +9,12 @@
 
 namespace shell {
 
+// A pixel of the picture, y from the top.
+struct Click {
+  int x = 0, y = 0;
+  bool operator==(const Click&) const = default;
+};
+
 struct Options {
   int width_px = 0;
   int height_px = 0;
@@ -16,6 +22,7 @@ struct Options {
   std::string out;               // file name, or a pattern with one %d; empty: NAME.png
   std::optional<double> time_s;  // the clock stands at this time
   std::vector<int> keys;         // pressed before the first frame
+  std::optional<Click> click;    // then the mouse, here
   bool headless = false;
   bool help = false;
 };

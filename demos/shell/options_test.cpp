@@ -36,11 +36,12 @@ TEST(DemoOptions, FramesOrOutputAskForNoWindow) {
 }
 
 TEST(DemoOptions, ValuesArriveAsGiven) {
-  const Options options = options_of({"--size", "64x48", "--time", "1.5", "--keys", "left,space,Z"});
+  const Options options = options_of({"--size", "64x48", "--time", "1.5", "--keys", "left,space,Z", "--click", "12,0"});
   EXPECT_EQ(options.width_px, 64);
   EXPECT_EQ(options.height_px, 48);
   EXPECT_EQ(options.time_s, 1.5);
   EXPECT_EQ(options.keys, (std::vector<int>{key_left, ' ', 'Z'}));
+  EXPECT_EQ(options.click, (Click{12, 0}));
 }
 
 TEST(DemoOptions, BadArgumentsAreNamed) {
@@ -49,6 +50,7 @@ TEST(DemoOptions, BadArgumentsAreNamed) {
   for (const char* size : {"", "64", "x", "64x", "0x48", "64x-48", "64x48x2", "64x48 ", "99999x1", "4e3x4"}) {
     EXPECT_EQ(error_of({"--size", size}), "--size needs WIDTHxHEIGHT, each 1 to 16384") << size;
   }
+  for (const char* click : {"", "5", "5x5", "-1,5", "5,", "5,16384"}) error_of({"--click", click});
   for (const char* frames : {"0", "-1", "ten", "1.5", "1000001"}) error_of({"--frames", frames});
   for (const char* time : {"-1", "nan", "inf", "1s", ""}) error_of({"--time", time});
   for (const char* keys : {"", "Left", "left,,right", "left;right"}) error_of({"--keys", keys});

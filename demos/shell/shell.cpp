@@ -22,6 +22,10 @@ void run_headless(const Demo& demo, const Options& options) {
   if (demo.key != nullptr) {
     for (const int key : options.keys) demo.key(key);
   }
+  if (demo.click != nullptr && options.click) {
+    if (demo.animate != nullptr) demo.animate(options.time_s.value_or(0));
+    demo.click(options.click->x, options.click->y);
+  }
 
   const bool numbered = is_numbered(options.out);
   std::chrono::duration<double, std::milli> drawing{};

@@ -19,6 +19,7 @@ struct Demo {
   void (*reshape)(int width_px, int height_px) = nullptr;  // before the first frame and after every change of size
   void (*animate)(double seconds) = nullptr;               // before every frame: time since the start; null: a still
   void (*key)(int key) = nullptr;                          // a key was pressed; the frame is drawn anew afterwards
+  void (*click)(int x, int y) = nullptr;                   // the mouse was pressed at this pixel, y from the top; as key
   void (*draw)() = nullptr;                                // one frame; the shell finishes and shows it
 };
 

@@ -62,6 +62,15 @@ void on_character(GLFWwindow* window, unsigned codepoint) {
   if (codepoint <= '~') press(events_of(window), static_cast<int>(codepoint));
 }
 
+void on_mouse_button(GLFWwindow* window, int, int action, int) {
+  Events& events = events_of(window);
+  if (action != GLFW_PRESS || events.demo.click == nullptr) return;
+  double x = 0, y = 0;
+  glfwGetCursorPos(window, &x, &y);
+  events.demo.click(static_cast<int>(x), static_cast<int>(y));
+  events.redraw = true;
+}
+
 void on_size(GLFWwindow* window, int width_px, int height_px) {
   Events& events = events_of(window);
   events.width_px = std::max(width_px, 1);
@@ -132,6 +141,7 @@ void run_in_window(const Demo& demo, const Options& options) {
   glfwSetWindowUserPointer(window, &events);
   glfwSetKeyCallback(window, on_key);
   glfwSetCharCallback(window, on_character);
+  glfwSetMouseButtonCallback(window, on_mouse_button);
   glfwSetFramebufferSizeCallback(window, on_size);
   glfwSetWindowRefreshCallback(window, on_refresh);
 
@@ -139,6 +149,7 @@ void run_in_window(const Demo& demo, const Options& options) {
   demo.init();
   demo.reshape(events.width_px, events.height_px);
   for (const int key : options.keys) press(events, key);
+  if (demo.click != nullptr && options.click) demo.click(options.click->x, options.click->y);
 
   const bool animated = demo.animate != nullptr && !options.time_s;
   if (demo.animate != nullptr && options.time_s) demo.animate(*options.time_s);

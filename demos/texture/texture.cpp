@@ -1,0 +1,116 @@
+// Texture filters side by side on a floor that runs to the horizon: nearest, linear, and four ways with mipmaps.
+// Up and down move the level-of-detail bias, w changes the wrap mode.
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "demos/shell/font.h"
+#include "demos/shell/images.h"
+#include "demos/shell/shell.h"
+#include "demos/shell/solids.h"
+
+namespace {
+
+struct Filter {
+  const char* name;
+  GLint minify, magnify;
+  GLfloat anisotropy;
+};
+constexpr std::array<Filter, 6> filters{{{"nearest", GL_NEAREST, GL_NEAREST, 1},
+                                         {"linear", GL_LINEAR, GL_LINEAR, 1},
+                                         {"nearest level", GL_NEAREST_MIPMAP_NEAREST, GL_NEAREST, 1},
+                                         {"bilinear level", GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR, 1},
+                                         {"trilinear", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, 1},
+                                         {"anisotropic 8", GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, 8}}};
+constexpr std::array<GLint, 3> wraps{GL_REPEAT, GL_MIRRORED_REPEAT, GL_CLAMP_TO_EDGE};
+
+std::array<GLuint, filters.size()> textures{};
+GLuint font = 0;
+std::size_t wrap = 0;
+float bias = 0, way = 0;
+int width_px = 1;
+
+void init() {
+  constexpr int size = 256;
+  const auto texels = shell::make_image(size, size, [](float s, float t) {
+    const shell::Color tile = shell::checker(s, t, 8, {0.92f, 0.9f, 0.85f}, {0.15f, 0.2f, 0.35f});
+    const float dx = s - 0.5f, dy = t - 0.5f;
+    return std::abs(std::sqrt(dx * dx + dy * dy) - 0.33f) < 0.04f ? shell::Color{0.85f, 0.25f, 0.1f} : tile;
+  });
+  glGenTextures(static_cast<GLsizei>(textures.size()), textures.data());
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    glBindTexture(GL_TEXTURE_2D, textures[i]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filters[i].minify);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filters[i].magnify);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, filters[i].anisotropy);
+    shell::upload_with_mipmaps(size, size, texels);
+  }
+  font = shell::make_font();
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  glClearColor(0.55f, 0.7f, 0.85f, 1);
+}
+
+void reshape(int new_width_px, int height_px) {
+  width_px = new_width_px;
+  shell::set_camera(new_width_px, height_px, 45, 0.2, 200);
+}
+
+void animate(double seconds) {
+  way = static_cast<float>(std::fmod(0.3 * seconds, 4));
+}
+
+void key(int key) {
+  if (key == 'w') wrap = (wrap + 1) % wraps.size();
+  if (key == shell::key_up) bias += 0.25f;
+  if (key == shell::key_down) bias -= 0.25f;
+}
+
+// A strip of floor under the part of the window from x0 to x1, in [-1, 1]: the same texture everywhere.
+void strip(float x0, float x1) {
+  constexpr float near_distance = 0.5f, far_distance = 150, eye_height = 1;
+  glBegin(GL_QUADS);
+  for (const auto& [x, distance] : {std::array{x0, near_distance}, {x1, near_distance}, {x1, far_distance}, {x0, far_distance}}) {
+    glTexCoord2f(0.5f * x * distance, 0.5f * distance + way);
+    glVertex3f(x * distance, -eye_height, -distance);
+  }
+  glEnd();
+}
+
+void draw() {
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_TEXTURE_2D);
+  glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, bias);
+  const float width = 1.4f / static_cast<float>(filters.size());
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    glBindTexture(GL_TEXTURE_2D, textures[i]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wraps[wrap]);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wraps[wrap]);
+    const float x = -0.7f + width * static_cast<float>(i);
+    strip(x, x + width * 0.97f);
+  }
+  glDisable(GL_TEXTURE_2D);
+  glColor3f(0.1f, 0.1f, 0.1f);
+  for (std::size_t i = 0; i < filters.size(); ++i) {
+    glWindowPos2i(width_px * static_cast<int>(i) / static_cast<int>(filters.size()) + 8, 8);
+    glColor3f(1, 1, 0.4f);
+    shell::draw_text(font, filters[i].name);
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return shell::run(argc, argv,
+                    {.name = "texture",
+                     .keys_help = "up and down move the level-of-detail bias, w changes the wrap mode",
+                     .width_px = 900,
+                     .height_px = 480,
+                     .init = init,
+                     .reshape = reshape,
+                     .animate = animate,
+                     .key = key,
+                     .draw = draw});
+}
