@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "demos/shell/font.h"
 #include "demos/shell/shell.h"

@@ -40,6 +40,7 @@ void init() {
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_AUTO_NORMAL);
   glEnable(GL_NORMALIZE);
+  glFrontFace(GL_CW);  // so EvalMesh2 winds what its normals look out of
   glEnable(GL_MAP2_VERTEX_3);
   glEnable(GL_MAP1_VERTEX_3);
   glClearColor(0.08f, 0.08f, 0.1f, 1);
