@@ -73,7 +73,14 @@ std::optional<ArrayArguments> array_of(Opcode opcode, const void* record) {
   const auto map = [](const auto& r, GLsizei element_bytes) {
     return ArrayArguments{r.mapsize >= 1 && r.mapsize <= max_pixel_map_table ? r.mapsize * element_bytes : 0, element_bytes, r.values};
   };
+  const auto compressed = [](const auto& r) { return ArrayArguments{r.imageSize > 0 ? r.imageSize : 0, 1, r.data}; };
   switch (opcode) {
+    case Opcode::CompressedTexImage1D: return compressed(as<records::CompressedTexImage1D>(record));
+    case Opcode::CompressedTexImage2D: return compressed(as<records::CompressedTexImage2D>(record));
+    case Opcode::CompressedTexImage3D: return compressed(as<records::CompressedTexImage3D>(record));
+    case Opcode::CompressedTexSubImage1D: return compressed(as<records::CompressedTexSubImage1D>(record));
+    case Opcode::CompressedTexSubImage2D: return compressed(as<records::CompressedTexSubImage2D>(record));
+    case Opcode::CompressedTexSubImage3D: return compressed(as<records::CompressedTexSubImage3D>(record));
     case Opcode::PixelMapfv: return map(as<records::PixelMapfv>(record), 4);
     case Opcode::PixelMapuiv: return map(as<records::PixelMapuiv>(record), 4);
     case Opcode::PixelMapusv: return map(as<records::PixelMapusv>(record), 2);
@@ -138,6 +145,12 @@ bool reads_pixels(Opcode opcode) {
     case Opcode::TexSubImage1D:
     case Opcode::TexSubImage2D:
     case Opcode::TexSubImage3D:
+    case Opcode::CompressedTexImage1D:
+    case Opcode::CompressedTexImage2D:
+    case Opcode::CompressedTexImage3D:
+    case Opcode::CompressedTexSubImage1D:
+    case Opcode::CompressedTexSubImage2D:
+    case Opcode::CompressedTexSubImage3D:
     case Opcode::PixelMapfv:
     case Opcode::PixelMapuiv:
     case Opcode::PixelMapusv: return true;
