@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "api/commands/map_evaluation.h"
 #include "api/commands/test_screen.h"
 
 namespace gouraud::api {
@@ -488,6 +489,19 @@ TEST(Evaluators, MeshesAreRefusedBetweenBeginAndEnd) {
   glEvalMesh1(GL_LINE, 0, 1);
   glEnd();
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+}
+
+TEST(MapSelection, HasNoMapWhereNoneIsEnabled) {
+  EvalGroup group;
+  const MapSelection nothing = select_maps(group, 2, ~0u);
+  for (const std::size_t kind : {nothing.position, nothing.normal, nothing.color, nothing.texture_coordinates}) {
+    EXPECT_EQ(kind, MapSelection::none);
+  }
+  group.map2_enabled.fill(true);
+  const MapSelection all = select_maps(group, 2, ~0u);
+  EXPECT_EQ(all.position, GL_MAP2_VERTEX_4 - GL_MAP2_COLOR_4);
+  EXPECT_EQ(all.color, std::size_t{0});
+  EXPECT_EQ(all.texture_coordinates, GL_MAP2_TEXTURE_COORD_4 - GL_MAP2_COLOR_4);
 }
 
 }  // namespace

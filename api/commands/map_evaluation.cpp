@@ -67,8 +67,10 @@ bool is_used(std::size_t kind) {
 MapSelection select_maps(const EvalGroup& group, int dimensions, std::uint32_t demand) {
   const auto& enabled = dimensions == 1 ? group.map1_enabled : group.map2_enabled;
   const auto last_enabled = [&](std::size_t first, std::size_t last) {
-    while (last >= first && !enabled[last]) --last;
-    return last >= first ? last : MapSelection::none;
+    for (std::size_t kind = last + 1; kind-- > first;) {
+      if (enabled[kind]) return kind;
+    }
+    return MapSelection::none;
   };
   MapSelection selection;
   selection.position = last_enabled(map_vertex_3, map_vertex_4);
