@@ -404,5 +404,21 @@ TEST(FramebufferObjects, QueriesTellWhatIsStored) {
   EXPECT_EQ(glGetError(), GL_NO_ERROR);
 }
 
+TEST(FramebufferObjects, OfAnotherFormatAreDrawnIntoByPassesOfThatFormat) {
+  Screen screen;
+  const GLuint wide = framebuffer();
+  attach(GL_COLOR_ATTACHMENT0, renderbuffer(GL_RGBA16, side_px, side_px));
+  ASSERT_EQ(status(), static_cast<GLenum>(GL_FRAMEBUFFER_COMPLETE));
+  glColor4f(1, 0, 0, 1);
+  for (int i = 0; i < 3; ++i) {
+    for (const GLuint name : {GLuint{0}, wide}) {  // equal states, targets of equal size
+      glBindFramebuffer(GL_FRAMEBUFFER, name);
+      clear_to(0, 0, 0, 0);
+      glRectf(-1, -1, 1, 1);
+      for (const int at : {0, side_px / 2, side_px - 1}) EXPECT_EQ(pixel(at, at), 0xFF0000FFu);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace gouraud::api

@@ -164,12 +164,14 @@ void Context::refresh() {
     pipeline::DrawState next = draw_state_;
     update_draw_state(state, target, dirty, next);
     pixel_draw_valid_ = pixel_draw_valid_ && next == draw_state_ && target.format == pixel_draw_format_;
-    if (next != draw_state_) {
+    // Passes are of a format: another target may need others for an equal state.
+    if (next != draw_state_ || target.format != plan_format_) {
       flush_vertices();
       next.lighting.material = draw_state_.lighting.material;
       draw_state_ = next;
       hold_textures();
       plan_ = pipeline::make_plan(draw_state_, target.format);
+      plan_format_ = target.format;
     }
   }
   if ((dirty & ~(dirty_transform | dirty_viewport)) != 0) apply_material();

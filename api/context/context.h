@@ -193,6 +193,7 @@ class Context {
   std::shared_ptr<RenderbufferNames> renderbuffer_names_;
   pipeline::DrawState draw_state_{};
   pipeline::Plan plan_{};
+  pipeline::TargetFormat plan_format_{};  ///< the plan's
   pipeline::PixelDraw pixel_draw_{};
   pipeline::TargetFormat pixel_draw_format_{};
   bool pixel_draw_valid_ = false;
