@@ -6,6 +6,9 @@
 #include <cstdint>
 #include <numbers>
 
+#include "conformance/speed/mirror_workload.h"
+#include "conformance/speed/pixel_workloads.h"
+#include "conformance/speed/state_workloads.h"
 #include "conformance/speed/texture_workloads.h"
 
 namespace gouraud::speed {
@@ -340,7 +343,9 @@ const std::vector<Workload>& all_workloads() {
         {"points", "500,000 points of size 1", full_hd_width_px, full_hd_height_px, points},
         {"state_changes", "20,000 draws, a state change each", full_hd_width_px, full_hd_height_px, state_changes},
     };
-    for (const Workload& workload : texture_workloads()) all.push_back(workload);
+    for (const auto& more : {state_workloads(), texture_workloads(), pixel_workloads(), mirror_workload()}) {
+      all.insert(all.end(), more.begin(), more.end());
+    }
     return all;
   }();
   return workloads;
