@@ -166,7 +166,7 @@ void Context::refresh() {
     pixel_draw_valid_ = pixel_draw_valid_ && next == draw_state_ && target.format == pixel_draw_format_;
     // Passes are of a format: another target may need others for an equal state.
     if (next != draw_state_ || target.format != plan_format_) {
-      flush_vertices();
+      if (target.format != plan_format_ || differ_for(immediate.batch_modes, draw_state_, next)) flush_vertices();
       next.lighting.material = draw_state_.lighting.material;
       draw_state_ = next;
       hold_textures();

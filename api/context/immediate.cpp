@@ -4,6 +4,7 @@
 
 #include <array>
 #include <bit>
+#include <utility>
 
 #include "api/context/context.h"
 #include "api/snapshot/lighting_snapshot.h"
@@ -44,6 +45,10 @@ Carried vertices_to_carry(const pipeline::PrimitiveRange& range) {
   }
 }
 
+constexpr std::uint32_t mode_bit(PrimitiveMode mode) { return 1u << static_cast<unsigned>(mode); }
+constexpr std::uint32_t line_modes =
+    mode_bit(PrimitiveMode::lines) | mode_bit(PrimitiveMode::line_loop) | mode_bit(PrimitiveMode::line_strip);
+
 // With the attributes that are kept. from >= to.
 void move_vertex(VertexBatch& batch, std::uint32_t demand, std::int32_t from, std::int32_t to) {
   const auto move = [source = static_cast<std::size_t>(from), target = static_cast<std::size_t>(to)](auto& arrays) {
@@ -72,6 +77,19 @@ void append_material(VertexBatch& batch, const pipeline::MaterialPair& material)
 }
 
 }  // namespace
+
+bool differ_for(std::uint32_t modes, const pipeline::DrawState& a, const pipeline::DrawState& b) {
+  const bool polygons = (modes & ~(mode_bit(PrimitiveMode::points) | line_modes)) != 0;
+  const auto draws = [&](std::uint32_t kind, pipeline::PolygonMode polygons_as) {
+    const auto& [front, back] = std::pair(a.assembly.polygon_mode_front, a.assembly.polygon_mode_back);
+    return (modes & kind) != 0 || (polygons && (front == polygons_as || back == polygons_as));
+  };
+  pipeline::DrawState changed = a;
+  if (!draws(mode_bit(PrimitiveMode::points), pipeline::PolygonMode::point)) changed.points = b.points;
+  if (!draws(line_modes, pipeline::PolygonMode::line)) changed.lines = b.lines;
+  if (!polygons) changed.polygons = b.polygons;
+  return changed != b;
+}
 
 void ElementSlots::clear() {
   if (++batch_number == 0) *this = {.batch_number = 1};
@@ -128,11 +146,13 @@ void Context::draw_pending() {
       renderer_.draw(draw_state_, plan_, batch);
     } catch (...) {  // no memory: these vertices are lost, and the rest of an open primitive with them
       batch.clear();
+      immediate.batch_modes = 0;
       immediate.limit = 0;
       throw;
     }
   }
   batch.clear();
+  immediate.batch_modes = 0;
   draw_state_.lighting.material = immediate.material;
 }
 
@@ -147,6 +167,7 @@ void Context::begin_primitive(PrimitiveMode mode) {
   if (plan_.draws && target() != nullptr) {
     if (batch.count > pipeline::batch_capacity - least_room) draw_pending();
     batch.primitives.push_back({mode, true, true, batch.count, 0});
+    immediate.batch_modes |= mode_bit(mode);
     immediate.limit = limit_of(mode, batch.count);
     immediate.demand = plan_.vertex_demand;
   }
@@ -170,6 +191,7 @@ void Context::continue_indexed_primitive() {
   range.count = static_cast<std::int32_t>(batch.elements.size()) - range.first;
   draw_pending();
   batch.primitives.push_back({immediate.mode, false, true, 0, 0, true});
+  immediate.batch_modes = mode_bit(immediate.mode);
 }
 
 void Context::end_primitive() {
@@ -195,6 +217,7 @@ bool Context::make_room_for_vertex() {
   }
   draw_pending();
   batch.primitives.push_back({immediate.mode, false, true, 0, 0});
+  immediate.batch_modes = mode_bit(immediate.mode);
   immediate.limit = limit_of(immediate.mode, 0);
 
   // The carried vertices keep their materials; then comes the one in force now.

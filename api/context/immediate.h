@@ -40,11 +40,16 @@ struct Immediate {
   /// The material (canonical) for the next vertex; what the batch's first vertex had is in the draw state.
   pipeline::MaterialPair material{};
   pipeline::VertexBatch batch;
+  std::uint32_t batch_modes = 0;  ///< bit k: the batch has a primitive of mode k
   ElementSlots element_slots;
 };
 
 /// The number of vertices by whole multiples of which a primitive of this mode may be cut into ranges.
 std::int32_t cut_multiple(pipeline::PrimitiveMode mode);
+
+/// Whether primitives of these modes (bit k: mode k) look different under one state and the other. Widths of lines, say,
+/// do not concern triangles.
+bool differ_for(std::uint32_t modes, const pipeline::DrawState& a, const pipeline::DrawState& b);
 
 /// The components of what a vertex attribute takes from the current values.
 const float* current_value(const CurrentGroup& current, std::uint32_t attribute);

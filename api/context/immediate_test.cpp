@@ -119,6 +119,36 @@ TEST_F(ImmediateMode, OnlyAChangeThatThePictureCanShowSplitsTheBatch) {
   EXPECT_EQ(draws()[1].state.transform.modelview[0][0], 2.0f);
 }
 
+TEST_F(ImmediateMode, WidthsOfLinesDoNotConcernTriangles) {
+  primitive(GL_TRIANGLES, 3);
+  LineWidth(context_, 3);
+  PointSize(context_, 5);
+  primitive(GL_TRIANGLES, 3);
+  LineWidth(context_, 4);
+  primitive(GL_LINES, 2);
+  PolygonOffset(context_, 1, 1);
+  Enable(context_, GL_POLYGON_SMOOTH);  // there are triangles
+  primitive(GL_LINES, 2);
+  LineWidth(context_, 2);
+  primitive(GL_LINES, 2);
+  Disable(context_, GL_POLYGON_SMOOTH);  // there are none
+  primitive(GL_LINES, 2);
+  ASSERT_EQ(draws().size(), 3u);
+  EXPECT_EQ(draws()[0].count, 8);
+  EXPECT_EQ(draws()[0].state.lines.width_px, 4.0f);
+  EXPECT_EQ(draws()[1].state.lines.width_px, 4.0f);
+  EXPECT_EQ(draws()[2].state.lines.width_px, 2.0f);
+  EXPECT_EQ(draws()[2].count, 4);
+}
+
+TEST_F(ImmediateMode, WidthsOfLinesConcernTrianglesThatAreDrawnAsLines) {
+  PolygonMode(context_, GL_FRONT, GL_LINE);
+  primitive(GL_TRIANGLES, 3);
+  LineWidth(context_, 3);
+  primitive(GL_TRIANGLES, 3);
+  EXPECT_EQ(draws().size(), 2u);
+}
+
 TEST_F(ImmediateMode, ClearComesAfterTheVerticesBeforeIt) {
   primitive(GL_POINTS, 1);
   Clear(context_, GL_COLOR_BUFFER_BIT);
