@@ -46,6 +46,7 @@ const Change changes[] = {
     {GL_LIGHTING_BIT, true, [](Context& c) { Enable(c, GL_COLOR_MATERIAL); }},
     {GL_DEPTH_BUFFER_BIT, false, [](Context& c) { DepthFunc(c, GL_GREATER); }},
     {GL_DEPTH_BUFFER_BIT, true, [](Context& c) { Enable(c, GL_DEPTH_TEST); }},
+    {GL_POINT_BIT, false, [](Context& c) { c.state.point.coord_replace ^= 1; }},
     {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { ClearStencil(c, 3); }},
     {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { StencilFunc(c, GL_LESS, 1, 2); }},
     {GL_STENCIL_BUFFER_BIT, false, [](Context& c) { StencilOpSeparateATI(c, GL_BACK, GL_ZERO, GL_INCR, GL_DECR_WRAP); }},

@@ -93,15 +93,20 @@ GLenum set_environment(TextureEnvironmentParameters& e, GLenum pname, const GLfl
   }
 }
 
-/// [ARB_point_sprite]: a boolean.
-GLenum set_point_sprite(TextureEnvironmentParameters& e, GLenum pname, GLfloat value) {
+/// The active unit's bit of PointGroup::coord_replace.
+unsigned sprite_bit(const Context& context) { return 1u << context.state.texture.active_unit; }
+
+/// [ARB_point_sprite]: a boolean, of the point group.
+GLenum set_point_sprite(Context& context, GLenum pname, GLfloat value) {
   if (pname != GL_COORD_REPLACE_ARB) return GL_INVALID_ENUM;
   if (value != 0.0f && value != 1.0f) return GL_INVALID_VALUE;
-  e.coord_replace = value != 0.0f;
+  std::uint8_t& units = context.state.point.coord_replace;
+  units = static_cast<std::uint8_t>(value != 0.0f ? units | sprite_bit(context) : units & ~sprite_bit(context));
   return GL_NO_ERROR;
 }
 
-GLenum set_parameter(TextureEnvironmentParameters& e, GLenum target, GLenum pname, const GLfloat* params) {
+GLenum set_parameter(Context& context, GLenum target, GLenum pname, const GLfloat* params) {
+  TextureEnvironmentParameters& e = active_unit(context).environment;
   switch (target) {
     case GL_TEXTURE_ENV:
       return set_environment(e, pname, params);
@@ -110,7 +115,7 @@ GLenum set_parameter(TextureEnvironmentParameters& e, GLenum target, GLenum pnam
       e.lod_bias = params[0];
       return GL_NO_ERROR;
     case GL_POINT_SPRITE_ARB:
-      return set_point_sprite(e, pname, params[0]);
+      return set_point_sprite(context, pname, params[0]);
     default:
       return GL_INVALID_ENUM;
   }
@@ -121,7 +126,9 @@ void get(Context& context, const char* command, GLenum target, GLenum pname, T* 
   TextureEnvironmentParameters& e = active_unit(context).environment;
   const auto give = [&](double value, ValueKind kind) { params[0] = convert(value, kind); };
   if (target == GL_TEXTURE_FILTER_CONTROL && pname == GL_TEXTURE_LOD_BIAS) return give(e.lod_bias, ValueKind::real);
-  if (target == GL_POINT_SPRITE_ARB && pname == GL_COORD_REPLACE_ARB) return give(e.coord_replace, ValueKind::boolean);
+  if (target == GL_POINT_SPRITE_ARB && pname == GL_COORD_REPLACE_ARB) {
+    return give((context.state.point.coord_replace & sprite_bit(context)) != 0, ValueKind::boolean);
+  }
   if (target == GL_TEXTURE_ENV) {
     if (const Place place = find_place(e, pname); place.name != nullptr) return give(*place.name, ValueKind::integer);
     if (pname == GL_RGB_SCALE) return give(e.rgb.scale, ValueKind::real);
@@ -137,7 +144,7 @@ void get(Context& context, const char* command, GLenum target, GLenum pname, T* 
 }  // namespace
 
 void TexEnvfv(Context& context, GLenum target, GLenum pname, const GLfloat* params) {
-  const GLenum error = set_parameter(active_unit(context).environment, target, pname, params);
+  const GLenum error = set_parameter(context, target, pname, params);
   if (error != GL_NO_ERROR) return context.record_error(error, "glTexEnv", "target, pname or its value is not allowed");
   context.change(dirty_textures);
 }

@@ -265,9 +265,7 @@ pipeline::TexturingState texturing_state(const State& state) {
   drop_dangling_units(result);
   if (!state.point.sprite_enabled) return result;
   for (const pipeline::TextureUnitState& unit : std::span(result.unit).first(result.count)) {
-    if (state.texture.units[unit.unit].environment.coord_replace) {
-      result.sprite_units = static_cast<std::uint8_t>(result.sprite_units | 1u << unit.unit);
-    }
+    result.sprite_units = static_cast<std::uint8_t>(result.sprite_units | (state.point.coord_replace & 1u << unit.unit));
   }
   return result;
 }

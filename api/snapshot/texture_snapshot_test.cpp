@@ -152,6 +152,16 @@ TEST(TextureSnapshot, TheLevelOfDetailMattersWhereSomethingDependsOnIt) {
   EXPECT_EQ(scene.snapshot().unit[0].sampler.lod_bias, max_texture_lod_bias);
 }
 
+TEST(TextureSnapshot, OnlySpritesReplaceCoordinates) {
+  const Change replace = [](Scene& s) { s.state.point.coord_replace ^= 2; };
+  const Change replace_of_a_unit_without_texture = [](Scene& s) { s.state.point.coord_replace ^= 5; };
+  Scene points, sprites;
+  sprites.state.point.sprite_enabled = true;
+  EXPECT_FALSE(shows(points, replace));
+  EXPECT_TRUE(shows(sprites, replace));
+  EXPECT_FALSE(shows(sprites, replace_of_a_unit_without_texture));
+}
+
 TEST(TextureSnapshot, DepthParametersAreThoseOfDepthTextures) {
   const Change mode = [](Scene& s) { s.parameters().depth_mode = GL_ALPHA; };
   const Change func = [](Scene& s) { s.parameters().compare_func = GL_GREATER; };

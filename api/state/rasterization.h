@@ -15,7 +15,8 @@ namespace gouraud::api {
 struct PointGroup {
   float size_px = 1.0f;  ///< as given: > 0, not clamped to the supported range
   bool smooth_enabled = false;
-  bool sprite_enabled = false;  ///< ARB_point_sprite
+  bool sprite_enabled = false;     ///< ARB_point_sprite
+  std::uint8_t coord_replace = 0;  ///< bit k: COORD_REPLACE of texture unit k
   float smallest_px = 0.0f, largest_px = max_point_size, fade_threshold_px = 1.0f;  ///< >= 0
   glm::vec3 distance_attenuation{1.0f, 0.0f, 0.0f};
   bool operator==(const PointGroup&) const = default;

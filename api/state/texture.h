@@ -88,7 +88,6 @@ struct TextureEnvironmentParameters {
   CombineParameters rgb{.operand = {GL_SRC_COLOR, GL_SRC_COLOR, GL_SRC_ALPHA}};
   CombineParameters alpha{.operand = {GL_SRC_ALPHA, GL_SRC_ALPHA, GL_SRC_ALPHA}};
   float lod_bias = 0.0f;
-  bool coord_replace = false;  ///< ARB_point_sprite
   bool operator==(const TextureEnvironmentParameters&) const = default;
 };
 

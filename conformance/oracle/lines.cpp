@@ -222,11 +222,24 @@ std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits) {
   return {static_cast<int>(std::floor(snapped_x / subpixels)), static_cast<int>(std::floor(snapped_y / subpixels))};
 }
 
+namespace {
+/// [ARB_point_sprite]: from (0, 0) at the top left to (1, 1); kept inside, because a snapped square may stand out.
+TextureCoordinate sprite_coordinate(const WindowVertex& vertex, double size_px, int x, int y) {
+  TextureCoordinate out;
+  out.value = {std::clamp(0.5 + (x + 0.5 - vertex.x) / size_px, 0.0, 1.0), std::clamp(0.5 - (y + 0.5 - vertex.y) / size_px, 0.0, 1.0), 0, 1};
+  out.ddx = {1 / size_px, 0, 0, 0};
+  out.ddy = {0, -1 / size_px, 0, 0};
+  return out;
+}
+}  // namespace
+
 void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px) {
   Fragment fragment;
   fragment.face = sink.face;
   const std::array<VertexShare, 1> shares{VertexShare{&vertex.colors, 1, 0, 0}};
-  set_color(shade(sink, color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors), shares), fragment);
+  const Color primary = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors);
+  const bool sprite = sink.texturing.sprite_units != 0;
+  if (!sprite) set_color(shade(sink, primary, shares), fragment);
   fragment.fog_coordinate = vertex.colors.fog_coordinate;
   fragment.depth = fragment.depth_lowest = fragment.depth_highest = vertex.z + sink.depth_offset;
   if (sink.depth_offset != 0) {
@@ -238,6 +251,11 @@ void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, doubl
       for (fragment.x = x0; fragment.x < x1; ++fragment.x) {
         fragment.coverage = coverage_of(fragment.x, fragment.y);
         fragment.coverage_slack = sink.points.smooth && fragment.coverage < 1 ? disc_slack : 0;
+        if (sprite) {
+          const TextureCoordinate over_sprite = sprite_coordinate(vertex, size_px, fragment.x, fragment.y);
+          fragment.extrapolated = false;
+          set_color(shade(sink, primary, shares, &over_sprite), fragment);
+        }
         if (fragment.coverage >= least_coverage) write_fragment(*sink.picture, sink.state, fragment);
       }
     }

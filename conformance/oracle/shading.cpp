@@ -55,10 +55,14 @@ void set_color(const TexturedColor& color, Fragment& fragment) {
   fragment.color_highest = color.highest;
 }
 
-TexturedColor shade(const FragmentSink& sink, const Color& primary, std::span<const VertexShare> shares) {
+TexturedColor shade(const FragmentSink& sink, const Color& primary, std::span<const VertexShare> shares,
+                    const TextureCoordinate* sprite) {
   if (sink.texturing.count == 0) return {primary, primary, primary};
   std::vector<TextureCoordinate> coordinates;
-  for (std::size_t i = 0; i < sink.texturing.count; ++i) coordinates.push_back(interpolated(shares, i));
+  for (std::size_t i = 0; i < sink.texturing.count; ++i) {
+    const bool replaced = sprite != nullptr && (sink.texturing.sprite_units >> sink.texturing.unit[i].unit & 1) != 0;
+    coordinates.push_back(replaced ? *sprite : interpolated(shares, i));
+  }
   TexturedColor out = apply_textures(sink.texturing, primary, coordinates);
   if (sink.has_secondary) add_secondary(sink, shares, out);
   return out;

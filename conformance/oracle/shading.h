@@ -18,7 +18,9 @@ struct VertexShare {
 
 /// The colour of a fragment whose interpolated primary colour is `primary`. Without textures that is all (the sum with
 /// the secondary colour is linear and was made at the vertices).
-TexturedColor shade(const FragmentSink& sink, const Color& primary, std::span<const VertexShare> shares);
+/// `sprite`: what point sprites have in place of their vertex's texture coordinates [ARB_point_sprite].
+TexturedColor shade(const FragmentSink& sink, const Color& primary, std::span<const VertexShare> shares,
+                    const TextureCoordinate* sprite = nullptr);
 
 /// Takes a colour into a fragment. Where several outcomes are legal the fragment has bounds (PixelFlags).
 void set_color(const TexturedColor& color, Fragment& fragment);

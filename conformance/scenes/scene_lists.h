@@ -25,6 +25,7 @@ SceneList color_material_scenes();   // §2.14.3
 SceneList shading_scenes();          // §2.14.6, §2.14.7
 SceneList point_scenes();            // §3.3
 SceneList point_size_scenes();       // §3.3
+SceneList point_sprite_scenes();       // §3.3
 SceneList line_scenes();             // §3.4
 SceneList line_width_scenes();       // §3.4.2
 SceneList line_stipple_scenes();     // §3.4.2

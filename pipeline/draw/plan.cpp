@@ -106,6 +106,7 @@ void describe_rasterization(const DrawState& state, const Line& line) {
   if (state.points != PointState{}) {
     std::string detail = (state.points.sprite ? "sprites of size " : "size ") + describe_length(state.points.size_px);
     if (state.points.attenuated) detail += ", attenuated";
+    if (state.texturing.sprite_units != 0) detail += ", with coordinates of their own";
     line(state.points.smooth ? "smooth points" : "points", detail, "§3.3");
   }
   if (state.lines != LineState{}) {

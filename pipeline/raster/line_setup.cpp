@@ -1,6 +1,7 @@
 // Lines and points to records [GL1.5 §3.3, §3.4]: where they cover pixels (line_coverage.h, a box, a smooth shape), and
 // how depth and colour vary along a line. Points are the same all over.
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <new>
 
@@ -32,10 +33,10 @@ void offset_depth(double offset, const PlaneTargets& targets, DepthPlane& depth)
 
 std::size_t varying_count(const SetupState& state) { return static_cast<std::size_t>(state.binding->varyings.count); }
 
-VaryingRecord& varying_record(const SetupState& state, void* memory) {
-  const std::size_t before = state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord);
-  return *new (static_cast<std::byte*>(memory) + before) VaryingRecord;
+std::byte* varying_memory(const SetupState& state, void* memory) {
+  return static_cast<std::byte*>(memory) + (state.colors ? sizeof(ColoredPrimitive) : sizeof(PrimitiveRecord));
 }
+VaryingRecord& varying_record(const SetupState& state, void* memory) { return *new (varying_memory(state, memory)) VaryingRecord; }
 
 /// Gives the record its box. False if that is empty.
 bool set_box(const SetupState& state, const PixelRect& box, PrimitiveRecord& record) {
@@ -133,6 +134,23 @@ PrimitiveRecord& write_point_record(const SetupState& state, const ProcessedVert
                         state.targets, reinterpret_cast<ColoredPrimitive*>(memory)->color);
   }
   return record;
+}
+
+/// Coordinates that run over the sprite in place of the vertex's: s from left to right, t from top to bottom, r = 0 and
+/// q = 1 [ARB_point_sprite].
+void run_over_sprite(const SetupState& state, const WindowVertex& vertex, double size_px, const TextureCoordinateLayout& layout,
+                     VaryingRecord& out) {
+  const double slope = 1.0 / size_px;
+  const double left = vertex.x - 0.5 * size_px;
+  const double top = static_cast<double>(state.target_height_px) - vertex.y_raster + 0.5 * size_px;
+  // At the centre of pixel (0, 0).
+  const std::array<VaryingPlane, 3> planes{VaryingPlane{(0.5 - left) * slope, slope, 0, 0, 0, 1},
+                                           VaryingPlane{(top - 0.5) * slope, 0, -slope, 0, 0, 1}, VaryingPlane{}};
+  auto* const first = reinterpret_cast<VaryingPlane*>(&out + 1) + layout.first;
+  std::copy_n(planes.begin(), layout.dimensions, first);
+  if (layout.has_q) first[layout.dimensions] = {0, 0, 0, 1, 1, 1};
+  out.constant &= ~(std::uint64_t{layout.dimensions > 1 ? 3u : 1u} << layout.first);
+  out.clamp = true;
 }
 
 /// Lists the pixels of the columns that the stipple keeps, and counts all columns.
@@ -304,6 +322,12 @@ bool setup_point(const SetupState& state, const ProcessedVertices& vertices, con
   if (intersection(box, state.scissor).empty()) return false;
   PrimitiveRecord& record = write_point_record(state, vertices, point, memory);
   set_box(state, box, record);
+  const TexturingState* const texturing = state.binding->texturing;
+  for (unsigned units = texturing != nullptr ? texturing->sprite_units : 0; units != 0; units &= units - 1) {
+    const auto unit = static_cast<std::size_t>(std::countr_zero(units));
+    run_over_sprite(state, vertex, static_cast<double>(size_px), state.binding->varyings.texture_coordinates[unit],
+                    *reinterpret_cast<VaryingRecord*>(varying_memory(state, memory)));
+  }
   if (state.points.smooth) record.shape = shape;
   return true;
 }

@@ -189,5 +189,39 @@ TEST(LineCoverage, EdgesAndBoxHoldExactlyTheListedPixels) {
   EXPECT_GT(simple, 19000);
 }
 
+// Coordinates run from the top left corner to the bottom right one, whatever the vertex has [ARB_point_sprite].
+TEST(PointSprite, ItsCoordinatesRunOverIt) {
+  const auto vertices = std::make_unique<ProcessedVertices>();
+  vertices->window[0] = {20.5f, static_cast<float>(height) - 30.25f, 0.5f, 1};
+  for (std::size_t k = 0; k < 4; ++k) vertices->varying[k][0] = 7.0f;
+  TexturingState texturing;
+  texturing.sprite_units = 1;
+  RasterBinding binding;
+  binding.texturing = &texturing;
+  binding.varyings.count = 4;
+  binding.varyings.texture_coordinates[0] = {0, 3, true};
+  SetupState state;
+  state.binding = &binding;
+  state.target_height_px = height;
+  state.scissor = {0, 0, 64, 64};
+  state.points.sprite = true;
+  alignas(64) std::byte memory[1024];
+  ASSERT_TRUE(setup_point(state, *vertices, {0, 0, false}, 5.0f, memory, nullptr));
+  const auto& record = *reinterpret_cast<const PrimitiveRecord*>(memory);
+  EXPECT_EQ(record.x0, 18);
+  EXPECT_EQ(record.x1, 23);
+  EXPECT_EQ(record.y0, 28);
+  EXPECT_EQ(record.y1, 33);
+  const VaryingPlane* planes = planes_of(varyings_of(record));
+  const auto value = [&](int k, double x, double y) { return planes[k].origin + planes[k].dx * (x - 0.5) + planes[k].dy * (y - 0.5); };
+  EXPECT_NEAR(value(0, 18, 0), 0.0, 1e-9);
+  EXPECT_NEAR(value(0, 23, 0), 1.0, 1e-9);
+  EXPECT_NEAR(value(1, 0, 32.75), 0.0, 1e-9);
+  EXPECT_NEAR(value(1, 0, 27.75), 1.0, 1e-9);
+  EXPECT_EQ(planes[2].base, 0.0f);
+  EXPECT_EQ(planes[3].base, 1.0f);
+  EXPECT_EQ(varyings_of(record).constant, 0b1100u);
+}
+
 }  // namespace
 }  // namespace gouraud::pipeline
