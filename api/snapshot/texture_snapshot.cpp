@@ -91,7 +91,10 @@ SamplerState sampler_state(const TextureObject& object, const pipeline::Image& i
   sampler.base_level = static_cast<std::uint8_t>(levels.base);
   sampler.last_level = static_cast<std::uint8_t>(levels.last);
   set_lod(sampler, p, unit_bias);
-  if (sampler.minify == TexelFilter::linear || sampler.mip != MipFilter::none) sampler.max_anisotropy = p.max_anisotropy;
+  // choice: plain nearest filters stay what they are, and so do cube maps; the limit is rounded down.
+  if (object.target != TextureTarget::cube_map && (sampler.minify == TexelFilter::linear || sampler.mip != MipFilter::none)) {
+    sampler.max_anisotropy = std::floor(p.max_anisotropy);
+  }
 
   const bool linear = sampler.minify == TexelFilter::linear || sampler.magnify == TexelFilter::linear;
   sampler.seamless = seamless && object.target == TextureTarget::cube_map && linear;

@@ -152,6 +152,18 @@ TEST(TextureSnapshot, TheLevelOfDetailMattersWhereSomethingDependsOnIt) {
   EXPECT_EQ(scene.snapshot().unit[0].sampler.lod_bias, max_texture_lod_bias);
 }
 
+TEST(TextureSnapshot, AnisotropyIsOfFiltersThatAverage) {
+  const Change change = [](Scene& s) { s.parameters().max_anisotropy = 4.0f; };
+  Scene mipmapped, linear, nearest, cube(TextureTarget::cube_map);
+  linear.parameters().min_filter = GL_LINEAR;
+  nearest.parameters().min_filter = GL_NEAREST;
+  EXPECT_TRUE(shows(mipmapped, change));
+  EXPECT_TRUE(shows(linear, change));
+  EXPECT_FALSE(shows(nearest, change));
+  EXPECT_FALSE(shows(cube, change));
+  EXPECT_FALSE(shows(mipmapped, [](Scene& s) { s.parameters().max_anisotropy = 4.9f; }));
+}
+
 TEST(TextureSnapshot, OnlySpritesReplaceCoordinates) {
   const Change replace = [](Scene& s) { s.state.point.coord_replace ^= 2; };
   const Change replace_of_a_unit_without_texture = [](Scene& s) { s.state.point.coord_replace ^= 5; };

@@ -22,7 +22,7 @@ using pipeline::WrapMode;
 
 /// What a conforming implementation may err by: coordinates by this share of their size and of the texture, the level of
 /// detail and depths by this much.
-constexpr double coordinate_slack = 1.0 / (1 << 20), lod_slack = 2e-4, depth_slack = 1e-6;
+constexpr double coordinate_slack = 1.0 / (1 << 20), lod_slack = 2e-4, ratio_slack = 1e-5, depth_slack = 1e-6;
 
 /// Signs of the errors that are tried out.
 struct Errors {
@@ -318,25 +318,29 @@ class Level {
   std::array<int, 3> size_{};
 };
 
-/// [GL1.5 §3.8.8 eq 3.16, 3.17].
-double level_of_detail(const TextureUnitState& unit, const Located& at) {
-  const Image& image = unit.texture->faces[0][unit.sampler.base_level];
-  const std::array<int, 3> size{image.width, image.height, image.depth};
+/// Lengths of a pixel's sides in texels of the base level: P_x and P_y of EXT_texture_filter_anisotropic.
+struct Footprint {
   double along_x = 0, along_y = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dimensions(unit.target)); ++k) {
-    const double texels = unit.target == TextureTarget::rectangle ? 1.0 : size[k] - 2 * image.border;
-    along_x += std::pow(at.at[k].ddx * texels, 2);
-    along_y += std::pow(at.at[k].ddy * texels, 2);
+  Footprint(const TextureUnitState& unit, const Located& at) {
+    const Image& image = unit.texture->faces[0][unit.sampler.base_level];
+    const std::array<int, 3> size{image.width, image.height, image.depth};
+    for (std::size_t k = 0; k < static_cast<std::size_t>(dimensions(unit.target)); ++k) {
+      const double texels = unit.target == TextureTarget::rectangle ? 1.0 : size[k] - 2 * image.border;
+      along_x = std::hypot(along_x, at.at[k].ddx * texels);
+      along_y = std::hypot(along_y, at.at[k].ddy * texels);
+    }
   }
-  const double rho = std::sqrt(std::max(along_x, along_y));
+  double longer() const { return std::max(along_x, along_y); }
+};
+
+/// [GL1.5 §3.8.8 eq 3.16, 3.17] of a footprint whose longer side is `rho`.
+double level_of_detail(const TextureUnitState& unit, double rho) {
   const double lambda = (rho > 0 ? std::log2(rho) : -1000.0) + static_cast<double>(unit.sampler.lod_bias);
   return std::min(std::max(lambda, static_cast<double>(unit.sampler.min_lod)), static_cast<double>(unit.sampler.max_lod));
 }
 
-Color sample(const TextureUnitState& unit, const TextureCoordinate& coordinate, const Errors& errors) {
+Color sample_at(const TextureUnitState& unit, const Located& at, double lambda) {
   const pipeline::SamplerState& sampler = unit.sampler;
-  const Located at = locate(unit, coordinate, errors);
-  const double lambda = level_of_detail(unit, at) + errors.lod * lod_slack;
   const auto level = [&](double index, TexelFilter filter) {
     return Level(unit, at.face, sampler.base_level + static_cast<int>(index)).filtered(at, filter);
   };
@@ -355,6 +359,27 @@ Color sample(const TextureUnitState& unit, const TextureCoordinate& coordinate, 
   return a;
 }
 
+/// The mean of N samples along the longer side of the pixel's footprint [EXT_texture_filter_anisotropic], one if the
+/// filter is isotropic.
+/// choice: a ratio within 1/1024 above a whole number counts as that.
+Color sample(const TextureUnitState& unit, const TextureCoordinate& coordinate, const Errors& errors) {
+  const Located at = locate(unit, coordinate, errors);
+  const Footprint footprint(unit, at);
+  const double shorter = std::min(footprint.along_x, footprint.along_y), most = static_cast<double>(unit.sampler.max_anisotropy);
+  const double ratio = footprint.longer() == 0 ? 1 : shorter == 0 ? most : footprint.longer() / shorter * (1 + errors.lod * ratio_slack);
+  const double count = std::clamp(std::ceil(ratio - 1.0 / 1024), 1.0, most);
+  const double lambda = level_of_detail(unit, footprint.longer() / count) + errors.lod * lod_slack;
+  Color sum{};
+  for (double i = 1; i <= count; ++i) {
+    Located moved = at;
+    const double pixels = i / (count + 1) - 0.5;
+    for (Quotient& q : moved.at) q.value += pixels * (footprint.along_x > footprint.along_y ? q.ddx : q.ddy);
+    const Color one = sample_at(unit, moved, lambda);
+    for (std::size_t k = 0; k < 4; ++k) sum[k] += one[k] / count;
+  }
+  return sum;
+}
+
 /// The errors that could make a difference.
 std::vector<Errors> errors_to_try(const pipeline::TexturingState& state) {
   bool coordinates = false, third = false, lod = false;
@@ -364,7 +389,7 @@ std::vector<Errors> errors_to_try(const pipeline::TexturingState& state) {
     const bool cube = unit.target == TextureTarget::cube_map;
     coordinates |= nearest || unit.sampler.compares || (cube && !unit.sampler.seamless);
     third |= unit.sampler.compares || ((nearest || !unit.sampler.seamless) && (cube || unit.target == TextureTarget::three_d));
-    lod |= unit.sampler.mip != MipFilter::none || unit.sampler.minify != unit.sampler.magnify;
+    lod |= unit.sampler.mip != MipFilter::none || unit.sampler.minify != unit.sampler.magnify || unit.sampler.max_anisotropy > 1;
   }
   std::vector<Errors> out;
   for (int i = 0; i < 16; ++i) {

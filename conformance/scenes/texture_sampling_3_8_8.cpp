@@ -67,6 +67,54 @@ void minified_noise(const GlTable& gl) {
   textured_floor(gl, 6);
 }
 
+// Patches of one floor seen flat, and of one turned wall: as many samples as the footprint is long, at most so many.
+template <GLint minify, int most>
+void anisotropic(const GlTable& gl) {
+  clear_background(gl);
+  environment_mode(gl, GL_REPLACE);
+  for (int size = 64, level = 0; size > 0; size /= 2, ++level) noise_image(gl, GL_TEXTURE_2D, level, GL_RGBA, size, size, GL_RGBA, 40 + static_cast<std::uint32_t>(level));
+  filters(gl, GL_TEXTURE_2D, minify, GL_LINEAR);
+  gl.TexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, static_cast<float>(most) + 0.5f);
+  gl.Enable(GL_TEXTURE_2D);
+  textured_floor(gl, 3);
+}
+
+template <int most>
+void anisotropic_levels(const GlTable& gl) {
+  clear_background(gl);
+  environment_mode(gl, GL_REPLACE);
+  colored_levels(gl, GL_TEXTURE_2D, 128);
+  filters(gl, GL_TEXTURE_2D, GL_NEAREST_MIPMAP_LINEAR, GL_NEAREST);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, most);
+  gl.Enable(GL_TEXTURE_2D);
+  textured_floor(gl, 5);
+}
+
+// Stretched cells: the longer side along x, along y, across; of a texture with mipmaps, of one without, of a rectangle.
+void anisotropic_cells(const GlTable& gl) {
+  begin(gl);
+  for (int kind = 0; kind < 3; ++kind) {
+    const GLenum target = kind == 2 ? GL_TEXTURE_RECTANGLE_ARB : GL_TEXTURE_2D;
+    for (int size = 32, level = 0; size > (kind == 0 ? 0 : 31); size /= 2, ++level) noise_image(gl, target, level, GL_RGBA, size, size, GL_RGBA, 70 + static_cast<std::uint32_t>(level));
+    filters(gl, target, kind == 0 ? GL_LINEAR_MIPMAP_NEAREST : GL_LINEAR, GL_LINEAR);
+    gl.TexParameteri(target, GL_TEXTURE_MAX_ANISOTROPY_EXT, 8);
+    gl.Enable(target);
+    const float unit = kind == 2 ? 32 : 1, y = 4 + 84 * static_cast<float>(kind);
+    textured_rectangle(gl, 4, y, 84, y + 78, 0, 0, 9.3f * unit, 1.7f * unit);
+    textured_rectangle(gl, 88, y, 168, y + 78, 0.1f * unit, 0.2f * unit, 1.3f * unit, 11.9f * unit);
+    gl.Begin(GL_QUADS);
+    gl.TexCoord2f(0, 0);
+    gl.Vertex2f(172, y);
+    gl.TexCoord2f(5.1f * unit, 4.2f * unit);
+    gl.Vertex2f(252, y);
+    gl.TexCoord2f(8.8f * unit, 9.4f * unit);
+    gl.Vertex2f(252, y + 78);
+    gl.TexCoord2f(3.7f * unit, 5.2f * unit);
+    gl.Vertex2f(172, y + 78);
+    gl.End();
+  }
+}
+
 template <GLint minify>
 void level_colors(const GlTable& gl) {
   clear_background(gl);
@@ -278,6 +326,12 @@ SceneList texture_sampling_scenes() {
       {.name = "texture_floor_mip_linear_nearest", .section = lod, .shows = "The floor, bilinear in the nearest level.", .judge = oracle, .draw = minified_noise<GL_LINEAR_MIPMAP_NEAREST>},
       {.name = "texture_floor_mip_nearest_linear", .section = lod, .shows = "The floor, nearest texels of two levels mixed.", .judge = oracle, .draw = minified_noise<GL_NEAREST_MIPMAP_LINEAR>},
       {.name = "texture_floor_trilinear", .section = lod, .shows = "The floor, trilinear.", .judge = oracle, .draw = minified_noise<GL_LINEAR_MIPMAP_LINEAR>},
+      {.name = "texture_anisotropic_2", .section = lod, .shows = "A floor of noise, two samples a pixel.", .judge = oracle, .draw = anisotropic<GL_LINEAR_MIPMAP_LINEAR, 2>},
+      {.name = "texture_anisotropic_16", .section = lod, .shows = "The floor, sharp into the distance.", .judge = oracle, .draw = anisotropic<GL_LINEAR_MIPMAP_LINEAR, 16>},
+      {.name = "texture_anisotropic_nearest_level", .section = lod, .shows = "The floor, up to five samples in the nearest level.", .judge = oracle, .draw = anisotropic<GL_LINEAR_MIPMAP_NEAREST, 5>},
+      {.name = "texture_anisotropic_linear", .section = lod, .shows = "The floor without levels.", .judge = oracle, .draw = anisotropic<GL_LINEAR, 4>},
+      {.name = "texture_anisotropic_levels", .section = lod, .shows = "Bands of colour, one a level, further away than without anisotropy.", .judge = oracle, .draw = anisotropic_levels<8>},
+      {.name = "texture_anisotropic_cells", .section = lod, .shows = "Stretched noise: 2D with levels, 2D without, a rectangle.", .judge = oracle, .draw = anisotropic_cells},
       {.name = "texture_levels_nearest", .section = lod, .shows = "Bands of colour, one a level, over a receding floor.", .judge = oracle, .draw = level_colors<GL_NEAREST_MIPMAP_NEAREST>},
       {.name = "texture_levels_linear", .section = lod, .shows = "The bands run into each other.", .judge = oracle, .draw = level_colors<GL_LINEAR_MIPMAP_LINEAR>},
       {.name = "texture_lod_bias", .section = lod, .shows = "Three rows of six patches, smaller to the right; each row with its own bias.", .judge = oracle, .draw = biased_levels},

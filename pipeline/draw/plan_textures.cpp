@@ -57,6 +57,7 @@ std::string describe_filter(const SamplerState& sampler) {
   if (sampler.mip != MipFilter::none || sampler.minify != sampler.magnify) text.append(" or ").append(name_of(sampler.minify));
   if (sampler.mip == MipFilter::nearest) text += " in the nearest level";
   if (sampler.mip == MipFilter::linear) text += " in two levels";
+  if (sampler.max_anisotropy > 1) text.append(", up to ").append(std::to_string(static_cast<int>(sampler.max_anisotropy))).append(" along the footprint");
   if (sampler.compares) text.append(", compared by ").append(compare_names[sampler.compare_func]);
   return text;
 }

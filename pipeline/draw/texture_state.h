@@ -53,7 +53,7 @@ struct SamplerState {
   std::uint8_t base_level = 0, last_level = 0;
   float lod_bias = 0.0f;           ///< of texture object and unit together
   float min_lod = 0.0f, max_lod = 0.0f;
-  float max_anisotropy = 1.0f;
+  float max_anisotropy = 1.0f;     ///< most samples along a footprint's longer side: whole; 1 for cube maps
   glm::vec4 border_color{0.0f};    ///< if a wrap mode can reach it
   bool compares = false;           ///< TEXTURE_COMPARE_MODE is COMPARE_R_TO_TEXTURE, on a depth texture
   std::uint8_t compare_func = 0;   ///< a CompareFunc's number

@@ -263,6 +263,7 @@ bool suits(const PreparedLevel& level, const SamplerState& sampler) {
 
 bool suits(const PreparedUnit& unit) {
   if (unit.state.target != TextureTarget::two_d || unit.format != TexelFormat::rgba8 || unit.srgb) return false;
+  if (unit.state.sampler.max_anisotropy > 1) return false;
   const bool rgb = unit.base_format == BaseFormat::rgb;
   if (unit.base_format != BaseFormat::rgba && !rgb) return false;
   const EnvironmentMode mode = unit.state.environment.mode;

@@ -63,14 +63,16 @@ HWY_INLINE std::uint64_t lanes_equal(const float* values, float value) {
   }
   return lanes;
 }
-HWY_INLINE std::uint64_t lanes_above_zero(const float* values) {
+HWY_INLINE std::uint64_t lanes_above(const float* values, float value) {
   const FloatTag d;
   std::uint64_t lanes = 0;
   for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
-    lanes |= bits_of(d, hn::Gt(hn::Load(d, values + lane), hn::Zero(d))) << lane;
+    lanes |= bits_of(d, hn::Gt(hn::Load(d, values + lane), hn::Set(d, value))) << lane;
   }
   return lanes;
 }
+
+HWY_INLINE std::uint64_t lanes_above_zero(const float* values) { return lanes_above(values, 0.0f); }
 
 // A Reader reads levels of one unit's texture into its own output:
 //   read(index, filter, lanes, keeps_others)       one level

@@ -13,6 +13,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/texture/anisotropy-inl.h"
 #include "pipeline/texture/levels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -78,6 +79,31 @@ HWY_INLINE void mix_levels(const TexelBlock& other, const float* weight, std::ui
   }
 }
 
+/// out += other in the chosen lanes.
+HWY_INLINE void add_texels(const TexelBlock& other, std::uint64_t lanes, TexelBlock& out) {
+  const FloatTag d;
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t wanted = lane_bits(lanes, lane);
+    if (wanted == 0) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FloatVector a = hn::Load(d, out.channel[k].data() + lane), b = hn::Load(d, other.channel[k].data() + lane);
+      hn::Store(hn::IfThenElse(mask_of(d, wanted), hn::Add(a, b), a), d, out.channel[k].data() + lane);
+    }
+  }
+}
+
+/// out /= divisor.
+HWY_INLINE void divide_texels(const float* divisor, std::uint64_t lanes, TexelBlock& out) {
+  const FloatTag d;
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    if (lane_bits(lanes, lane) == 0) continue;
+    for (std::size_t k = 0; k < 4; ++k) {
+      float* const texels = out.channel[k].data() + lane;
+      hn::Store(hn::Div(hn::Load(d, texels), hn::Load(d, divisor + lane)), d, texels);
+    }
+  }
+}
+
 /// Levels of one face into a block of texels (levels-inl.h).
 struct FaceReader {
   const PreparedUnit& unit;
@@ -120,6 +146,51 @@ void sample_levels(const FragmentBlock& block, const PreparedUnit& unit, TexelBl
   const LaneCoordinates at{coordinates.coordinate, compared_lanes(unit, coordinates, r), 0};
   FaceReader reader{unit, at, out};
   read_levels(unit, reader, coordinate_planes(block, layout), block.coverage, false);
+}
+
+/// Magnified and minified lanes, whose level of detail is `lambda`: it is used up.
+HWY_INLINE void read_at(const PreparedUnit& unit, FaceReader& reader, float* lambda, std::uint64_t lanes) {
+  const SamplerState& sampler = unit.state.sampler;
+  if (needs_no_lod(sampler)) return reader.read(0, sampler.minify, lanes, false);
+  const std::uint64_t minified = lanes & lanes_above_zero(lambda), magnified = lanes & ~minified;
+  if (magnified != 0) reader.read(0, sampler.magnify, magnified, false);
+  if (minified == 0) return;
+  if (sampler.mip == MipFilter::none) return reader.read(0, sampler.minify, minified, magnified != 0);
+  read_minified(unit, reader, sampler.min_lod, sampler.max_lod, lambda, minified, magnified != 0);
+}
+
+/// The means of several samples along the longer side of each lane's footprint (anisotropy-inl.h).
+void sample_anisotropic(const FragmentBlock& block, const PreparedUnit& unit, TexelBlock& out) {
+  const FloatTag d;
+  const SamplerState& sampler = unit.state.sampler;
+  const TextureCoordinateLayout& layout = layout_of(block, unit);
+  const DividedCoordinates coordinates(block, layout);
+  BlockFootprints footprints(coordinate_planes(block, layout), base_size(unit), sampler.max_anisotropy);
+  alignas(64) float r[64], moved[3][64], lambda[64];
+  const LaneCoordinates at{{moved[0], moved[1], moved[2]}, compared_lanes(unit, coordinates, r), 0};
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const FloatVector biased = hn::Add(hn::Load(d, footprints.lambda + lane), hn::Set(d, sampler.lod_bias));
+    hn::Store(kept_between(biased, sampler.min_lod, sampler.max_lod), d, footprints.lambda + lane);
+  }
+  TexelBlock probe;
+  std::uint64_t lanes = block.coverage;
+  for (int i = 1; lanes != 0; ++i) {
+    const auto number = static_cast<float>(i);
+    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+      const FloatVector count = hn::Load(d, footprints.probes + lane);
+      const FloatVector place = hn::Sub(hn::Div(hn::Set(d, number), hn::Add(count, hn::Set(d, 1.0f))), hn::Set(d, 0.5f));
+      for (std::size_t k = 0; k < static_cast<std::size_t>(unit.dimensions); ++k) {
+        const FloatVector center = hn::Load(d, coordinates.coordinate[k] + lane);
+        hn::Store(hn::Add(center, hn::Mul(place, hn::Load(d, footprints.along[k] + lane))), d, moved[k] + lane);
+      }
+      hn::Store(hn::Load(d, footprints.lambda + lane), d, lambda + lane);
+    }
+    FaceReader reader{unit, at, i == 1 ? out : probe};
+    read_at(unit, reader, lambda, lanes);
+    if (i > 1) add_texels(probe, lanes, out);
+    lanes &= lanes_above(footprints.probes, number);
+  }
+  divide_texels(footprints.probes, block.coverage, out);
 }
 
 /// Signs and axes of [GL1.5 Table 3.20]: s_c, t_c and |m_a| of a face, by axis of (r_x, r_y, r_z).
@@ -195,6 +266,7 @@ void sample_cube_map(const FragmentBlock& block, const PreparedUnit& unit, Texel
 
 SampleFunction select(const PreparedUnit& unit) {
   if (unit.state.target == TextureTarget::cube_map) return sample_cube_map;
+  if (unit.state.sampler.max_anisotropy > 1) return sample_anisotropic;
   return needs_no_lod(unit.state.sampler) ? sample_base_level : sample_levels;
 }
 
