@@ -14,11 +14,12 @@ import sources
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?P<quote>["<])(?P<path>[^">]+)[">]', re.MULTILINE)
 
 # The public interface: what an application sees.
-PUBLIC = {"GL/gl.h", "GL/osmesa.h", "api/gouraud.h"}
+PUBLIC = {"GL/gl.h", "GL/osmesa.h", "GL/gouraud.h", "api/gouraud.h"}
 
 # Headers that say what data passes between stages and how it is read; none of them is a stage.
 STAGE_DATA = {
     "pipeline/draw/draw_state.h",
+    "pipeline/draw/methods.h",
     "pipeline/draw/sample_counter.h",
     "pipeline/draw/limits.h",
     "pipeline/draw/texture_state.h",
@@ -60,7 +61,7 @@ RULES = {
                      "pipeline/simd/dispatch.h"},  # GL_RENDERER names the instruction set
     "api/snapshot": {"GL/gl.h", "api/state", "api/context", "pipeline/draw",
                      "pipeline/texture/completeness.h"} | STAGE_DATA,  # which textures there are to sample
-    "api/osmesa": {"GL/gl.h", "GL/osmesa.h", "api", "pipeline/draw", "pipeline/framebuffer"},
+    "api/osmesa": {"GL/gl.h", "GL/osmesa.h", "GL/gouraud.h", "api", "pipeline/draw", "pipeline/framebuffer"},
     "pipeline/draw": {"pipeline"},
     "pipeline/simd": set(),
     **{f"pipeline/{stage}": STAGE_DATA | {"pipeline/simd"} for stage in STAGES},

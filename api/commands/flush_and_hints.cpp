@@ -42,6 +42,7 @@ void Hint(Context& context, GLenum target, GLenum mode) {
     return context.record_error(GL_INVALID_ENUM, "glHint", "mode is unknown");
   }
   *hint = mode;
+  if (context.methods().colors == pipeline::InterpolationMethod::hint) context.change(dirty_raster);
 }
 
 }  // namespace gouraud::api

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -54,6 +56,26 @@ const char* error_name(GLenum error) {
   }
 }
 
+// The methods that GOURAUD_METHODS asks for; the default ones, and a line on stderr, if it cannot be understood.
+pipeline::Methods default_methods() {
+  const char* const text = std::getenv("GOURAUD_METHODS");
+  if (text == nullptr) return {};
+  std::string error;
+  const std::optional<pipeline::Methods> methods = pipeline::parse_methods(text, error);
+  if (!methods) std::fprintf(stderr, "gouraud: GOURAUD_METHODS: %s\n", error.c_str());
+  return methods.value_or(pipeline::Methods{});
+}
+
+// choice: a hint has an effect only for programs that have asked for it by name (colors=hint): too many ask for GL_FASTEST
+// out of habit [GL1.5 §5.6].
+pipeline::Methods resolved(pipeline::Methods methods, const HintGroup& hint) {
+  using Method = pipeline::InterpolationMethod;
+  if (methods.colors == Method::hint) {
+    methods.colors = hint.perspective_correction == GL_FASTEST ? Method::affine : Method::perspective;
+  }
+  return methods;
+}
+
 void release(Context& context) {
   context.finish_rendering();
   if (context.copy_out) context.copy_out();
@@ -80,6 +102,7 @@ Context::Context(const ContextConfig& config, Context* share_with)
       tracing_errors_(traces("errors")),
       tracing_plans_(traces("plan")),
       aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),
+      methods_(default_methods()),
       config_(config),
       buffer_names_(share_with != nullptr ? share_with->buffer_names_ : std::make_shared<BufferNames>()),
       texture_names_(share_with != nullptr ? share_with->texture_names_ : std::make_shared<TextureNames>()),
@@ -143,12 +166,18 @@ TargetInfo Context::target_info() const {
   const bool writes_color = framebuffers.draw->draw_buffer != GL_NONE;
   return {target->width_px,
           target->height_px,
-          {target->color_format, target->depth_format},
+          {target->color_format, target->depth_format, resolved(methods_, state.hint)},
           stencil_mask,
           writes_color ? target->color_channels : std::uint8_t{0},
           target->samples > 1 ? target->samples : 0,
           target->has_depth,
           !target->accum.empty()};
+}
+
+void Context::set_methods(const pipeline::Methods& methods) {
+  finish_rendering();
+  methods_ = methods;
+  change(dirty_all);
 }
 
 void Context::finish_rendering() {
@@ -163,6 +192,7 @@ void Context::refresh() {
     const TargetInfo target = target_info();
     pipeline::DrawState next = draw_state_;
     update_draw_state(state, target, dirty, next);
+    pipeline::apply_methods(target.format.methods, next);
     pixel_draw_valid_ = pixel_draw_valid_ && next == draw_state_ && target.format == pixel_draw_format_;
     // Passes are of a format: another target may need others for an equal state.
     if (next != draw_state_ || target.format != plan_format_) {

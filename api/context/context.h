@@ -19,6 +19,7 @@
 #include "api/state/buffer_object.h"
 #include "api/state/state.h"
 #include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/methods.h"
 #include "pipeline/draw/plan.h"
 #include "pipeline/draw/renderer.h"
 #include "pipeline/framebuffer/framebuffer.h"
@@ -144,6 +145,10 @@ class Context {
   const pipeline::PixelDraw& pixel_draw();
   TargetInfo target_info() const;  ///< of the framebuffer that is drawn into
 
+  /// How the next draws are done: what is pending is finished with the old methods first. GOURAUD_METHODS at first.
+  void set_methods(const pipeline::Methods& methods);
+  const pipeline::Methods& methods() const { return methods_; }
+
   pipeline::Renderer& renderer() { return renderer_; }
 
   /// Writes the target to where the window system shows it. Called, after finish_rendering(), by glFlush, by glFinish
@@ -185,6 +190,7 @@ class Context {
   bool had_window_ = false;
   std::uint32_t dirty_ = dirty_all;
   GLenum error_ = GL_NO_ERROR;
+  pipeline::Methods methods_;
   ContextConfig config_;
   std::shared_ptr<BufferNames> buffer_names_;
   std::shared_ptr<TextureNames> texture_names_;

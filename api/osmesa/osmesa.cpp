@@ -1,6 +1,7 @@
 // The OSMesa functions [osmesa.h]: they take a program's calls, check them, and leave the work to osmesa_context.
 //
 // No exception leaves them: a call that finds no memory fails like one that was refused.
+#include <GL/gouraud.h>
 #include <GL/osmesa.h>
 
 #include <algorithm>
@@ -98,7 +99,8 @@ const NamedFunction osmesa_functions[] = {
     OSMESA_FUNCTION(OSMesaGetCurrentContext),    OSMESA_FUNCTION(OSMesaGetDepthBuffer),
     OSMESA_FUNCTION(OSMesaGetIntegerv),          OSMESA_FUNCTION(OSMesaGetProcAddress),
     OSMESA_FUNCTION(OSMesaMakeCurrent),          OSMESA_FUNCTION(OSMesaPixelStore),
-    OSMESA_FUNCTION(OSMesaPostprocess),
+    OSMESA_FUNCTION(OSMesaPostprocess),          OSMESA_FUNCTION(gouraudMethodTable),
+    OSMESA_FUNCTION(gouraudMethods),             OSMESA_FUNCTION(gouraudMethodsInUse),
 };
 #undef OSMESA_FUNCTION
 

@@ -212,6 +212,7 @@ std::string describe_coordinates(const TextureCoordinateSource& source, int unit
 
 Plan make_plan(const DrawState& state, TargetFormat target) {
   Plan plan;
+  plan.methods = target.methods;
   if (state.report.enabled) {
     plan.draws = plan.reports = true;
     plan.colors = state.report.colors;
@@ -260,6 +261,7 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     return text;
   }
   text = "plan:\n";
+  if (target.methods != Methods{}) text += "  methods: " + describe(target.methods) + "\n";
   line("transform to clip space", "", "§2.11.2");
   if (plan.eye_positions) line("transform to eye space", "", "§2.11.2");
   if (plan.normals) {

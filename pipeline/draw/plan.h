@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pipeline/draw/draw_state.h"
+#include "pipeline/draw/methods.h"
 #include "pipeline/framebuffer/framebuffer.h"
 #include "pipeline/geometry/vertex_batch.h"
 #include "pipeline/raster/fragment_block.h"
@@ -16,6 +17,7 @@ namespace gouraud::pipeline {
 struct TargetFormat {
   ColorFormat color = ColorFormat::none;
   DepthFormat depth = DepthFormat::none;
+  Methods methods{};  ///< apply_methods has told the DrawState of them
   bool operator==(const TargetFormat&) const = default;
 };
 
@@ -58,6 +60,7 @@ struct Plan {
   bool writes_color = false;
 
   FragmentPasses fragment{};
+  Methods methods{};
   bool operator==(const Plan&) const = default;
 
 };

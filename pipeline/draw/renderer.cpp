@@ -21,6 +21,7 @@
 #include "pipeline/geometry/assembly.h"
 #include "pipeline/geometry/clip_planes.h"
 #include "pipeline/geometry/clipping.h"
+#include "pipeline/geometry/affine.h"
 #include "pipeline/geometry/colors.h"
 #include "pipeline/geometry/lighting.h"
 #include "pipeline/geometry/normals.h"
@@ -28,6 +29,7 @@
 #include "pipeline/geometry/texture_coordinates.h"
 #include "pipeline/geometry/transform.h"
 #include "pipeline/geometry/viewport.h"
+#include "pipeline/raster/method_triangle.h"
 #include "pipeline/raster/setup.h"
 
 namespace gouraud::pipeline {
@@ -65,6 +67,7 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
   setup.points = state.points;
   setup.lines = state.lines;
   setup.polygons = state.polygons;
+  setup.polygons.smooth |= plan.methods.shapes_triangles();
   setup.targets = {depth_scale(target.depth_format), target.depth_format == DepthFormat::z32f, plan.textured ? 1.0f : color_scale(target.color_format)};
   return setup;
 }
@@ -101,12 +104,14 @@ struct Renderer::Implementation {
   explicit Implementation(int thread_count) : bins(thread_count) {}
 
   void prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const PlacedImage* image = nullptr);
+  void project(const DrawState& state);
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   void draw_primitives(const DrawState& state, const VertexBatch& batch);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
   void add_smooth_triangle(const WaitingTriangle& triangle);
+  void add_method_triangle(const WaitingTriangle& triangle);
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
   void draw_clipped_line(const AssembledLine& line);
@@ -141,6 +146,8 @@ struct Renderer::Implementation {
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
   bool unfilled = false;
   bool plain_points = false, plain_lines = false;
+  Methods methods;
+  bool smooth_polygons = false;
   ClipAttributes clip_attributes;
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
@@ -176,7 +183,7 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   }
   if (plan.writes_stencil) note_stencil(*bins.target());
   setup = bins.intern(make_setup_state(state, plan, *bins.target()), binding);
-  viewport = state.viewport;
+  smooth_polygons = state.polygons.smooth;
   mode_front = state.assembly.polygon_mode_front;
   mode_back = state.assembly.polygon_mode_back;
   plain_points = are_plain_points(*setup);
@@ -202,8 +209,16 @@ void Renderer::Implementation::run_vertex_stages(const DrawState& state, const P
   if (plan.fog) {
     make_fog_coordinates(state.transform, state.raster.fog, batch, vertices.varying[static_cast<std::size_t>(varyings.fog_coordinate)]);
   }
-  project_to_window(state.viewport, vertices);
+  viewport = state.viewport;
+  methods = plan.reports ? Methods{} : plan.methods;
+  project(state);
+}
+
+/// Clip space to window space, and what is outside.
+void Renderer::Implementation::project(const DrawState& state) {
+  project_to_window(viewport, vertices);
   if (state.clip_planes.count > 0) test_clip_planes(state.clip_planes, vertices);
+  if (methods.colors == InterpolationMethod::affine) forget_distances(0, vertices);
 }
 
 void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) {
@@ -225,12 +240,24 @@ void Renderer::Implementation::flush_triangles() {
 /// choice: the triangles of a quad or polygon are smooth each for itself [GL1.5 §3.5.3]: along their common edges the
 /// shares of both add up to the whole pixel.
 void Renderer::Implementation::add_smooth_triangle(const WaitingTriangle& triangle) {
+  if (!smooth_polygons) return add_method_triangle(triangle);
   const WaitingTriangle* const one = &triangle;
   auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
   setup_triangles({&one, 1}, memory);
   auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
   record.shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape(smooth_triangle(triangle));
   record.scissored = true;
+  bins.add_smooth(record);
+}
+
+/// A triangle whose pixels another method than the default finds.
+void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triangle) {
+  const WaitingTriangle* const one = &triangle;
+  auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
+  setup_triangles({&one, 1}, memory);
+  auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
+  record.scissored = true;
+  record.shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(triangle, methods, record));
   bins.add_smooth(record);
 }
 
@@ -267,7 +294,9 @@ void Renderer::Implementation::clip_and_draw(const AssembledTriangle& triangle) 
     vertices.count = batch_count;
   }
   clipped.clear();
+  const std::int32_t first_new = vertices.count;
   clip_triangle(triangle, viewport, clip_attributes, vertices, clipped);
+  if (methods.colors == InterpolationMethod::affine) forget_distances(first_new, vertices);
   for (const AssembledTriangle& part : clipped) emit(part);
 }
 
@@ -281,6 +310,7 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
     const StippleCount before = stipple_count;
     const LineSpan span = stippled() ? unclipped_span(viewport, vertices, whole) : LineSpan{};
     if (clip_line(line, viewport, clip_attributes, vertices)) {
+      if (methods.colors == InterpolationMethod::affine) forget_distances(count, vertices);
       stipple_count += span.fragments_to(vertices.window[line.vertex[0]]);
       draw_clipped_line(line);
     }
@@ -397,8 +427,7 @@ void Renderer::Implementation::draw_samples(const DrawState& state, const Vertex
       viewport.sample_shift_y = 0.5f - sample_positions[sample][1];
     }
     vertices.count = batch_count;
-    project_to_window(viewport, vertices);
-    if (state.clip_planes.count > 0) test_clip_planes(state.clip_planes, vertices);
+    project(state);
     stipple_count = stipple_before;
     draw_primitives(state, batch);
   }

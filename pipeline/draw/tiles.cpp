@@ -12,7 +12,6 @@
 #include "pipeline/framebuffer/accumulation.h"
 #include "pipeline/framebuffer/clear.h"
 #include "pipeline/raster/bitmaps.h"
-#include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -405,7 +404,11 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
       case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
       case EntryKind::lines: run_lines(entry, x, y, pixels, rasterize); break;
       case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
-      case EntryKind::smooth: rasterize_smooth(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
+      case EntryKind::smooth: {
+        const auto& record = *static_cast<const PrimitiveRecord*>(entry.what);
+        record.shape->rasterize(record, x, y, pixels);
+        break;
+      }
       case EntryKind::triangles: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
       case EntryKind::blocks: {
         FragmentBlock block;

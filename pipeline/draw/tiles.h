@@ -73,7 +73,7 @@ class TileBins {
   void add_polygon(const PrimitiveRecord& record);
   void add_line(const WaitingLine& line);
   void add_point(const SetupState& state, const WaitingPoint& point);
-  /// Every pixel of the record's box that its smooth shape touches.
+  /// Every pixel of the record's box that its shape touches, as the shape's rasterizer sees it.
   void add_smooth(const PrimitiveRecord& record);
   /// Fragments at these pixels, each once; those outside `scissor` are left out.
   void add_pixels(const PrimitiveRecord& record, std::span<const PixelPosition> pixels, const PixelRect& scissor);

@@ -16,7 +16,7 @@ HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
 
 void apply_coverage(FragmentBlock& block, const TileTarget&) {
-  if (block.primitive->shape == nullptr) return;
+  if (block.primitive->shape == nullptr || !block.primitive->shape->smooth) return;
   const FloatTag d;
   float* alpha = block.color[3].data();
   for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {

@@ -46,6 +46,12 @@ inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;
 static_assert(64LL * 2 * ((16384LL << subpixel_bits) + 1) < (1LL << 31), "an edge's values inside a tile fit int32");
 
+struct PrimitiveRecord;
+/// As PolygonRasterizer (polygons.h): finds the primitive's pixels in a tile.
+using ShapeRasterizer = void (*)(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y,
+                                 const TileTarget& target);
+void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target);
+
 /// Where a smooth primitive lies, in window space: what it covers of a pixel is the area that both share
 /// [GL1.5 §3.3.1, §3.4.2, §3.5.3].
 struct SmoothShape {
@@ -56,6 +62,9 @@ struct SmoothShape {
   std::array<Corner, 4> corner{};
   std::int32_t corner_count = 0;  ///< 0: a disc
   double radius = 0;
+  bool smooth = true;  ///< fragments have their pixel_coverage
+  /// Who reads it: a primitive of another method (method_triangle.h) has its own.
+  ShapeRasterizer rasterize = rasterize_smooth;
 };
 
 /// How colour varies over the primitive.
@@ -76,7 +85,7 @@ struct alignas(64) PrimitiveRecord {
   bool is_polygon = false; ///< filled: the polygon stipple applies
   bool back = false;       ///< of a polygon that faces away: it takes the back side's stencil test
   DepthPlane depth{};
-  const SmoothShape* shape = nullptr;  ///< null: not smooth
+  const SmoothShape* shape = nullptr;  ///< null: the edges say it all
 };
 
 /// Follows the PrimitiveRecord in memory if the plan interpolates colours; setup fills what the variation needs. Colour is

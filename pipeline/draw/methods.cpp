@@ -1,0 +1,151 @@
+#include "pipeline/draw/methods.h"
+
+#include <algorithm>
+#include <array>
+
+#include "pipeline/draw/draw_state.h"
+
+namespace gouraud::pipeline {
+namespace {
+
+/// A row, and what it means.
+struct Choice {
+  MethodRow row;
+  void (*choose)(Methods& methods);
+  bool (*chosen)(const Methods& methods);
+};
+
+template <auto member, auto value>
+constexpr Choice choice(MethodRow row) {
+  return {row, [](Methods& methods) { methods.*member = value; },
+          [](const Methods& methods) { return methods.*member == value; }};
+}
+template <auto value>
+constexpr auto coverage = choice<&Methods::coverage, value>;
+template <auto value>
+constexpr auto ownership = choice<&Methods::ownership, value>;
+template <auto value>
+constexpr auto lines = choice<&Methods::lines, value>;
+template <auto value>
+constexpr auto colors = choice<&Methods::colors, value>;
+template <auto value>
+constexpr auto shading = choice<&Methods::shading, value>;
+
+constexpr std::array choices{
+    coverage<CoverageMethod::blocks8>({"coverage", "blocks8", "integer edge functions; 8x8 blocks and tiles wholly in or out skip the test",
+                                       "Greene 1996; Abrash 2009"}),
+    coverage<CoverageMethod::bounding_box>({"coverage", "bounding_box", "every edge function evaluated anew at every pixel of the box",
+                                            "Pineda 1988, without his increments"}),
+    coverage<CoverageMethod::incremental>({"coverage", "incremental", "edge functions stepped from pixel to pixel by additions", "Pineda 1988"}),
+
+    ownership<OwnershipMethod::top_left>({"ownership", "top_left", "left and bottom edges own the samples on them: each pixel once", "GL 1.5, 3.5.1"}),
+    ownership<OwnershipMethod::all>({"ownership", "all", "every edge owns its samples: shared edges are drawn twice", "the missing rule"}),
+    ownership<OwnershipMethod::none>({"ownership", "none", "no edge owns its samples: shared edges have holes", "the missing rule"}),
+
+    lines<LineMethod::diamond_exit>({"lines", "diamond_exit", "pixels whose diamonds the line leaves, end points included", "GL 1.5, 3.4.1"}),
+    lines<LineMethod::coverage>({"lines", "coverage", "a rectangle with the area that it covers of each pixel, blended", "GL 1.5, 3.4.2.1; Gupta and Sproull 1981"}),
+
+    colors<InterpolationMethod::perspective>({"colors", "perspective", "colour/w and 1/w are linear in the window, their quotient is exact",
+                                              "Blinn 1992; Heckbert and Moreton 1991"}),
+    colors<InterpolationMethod::affine>({"colors", "affine", "linear in the window, as if all had one depth", "Gouraud 1971"}),
+    colors<InterpolationMethod::hint>({"colors", "hint", "affine where PERSPECTIVE_CORRECTION_HINT is FASTEST", "GL 1.5, 5.6"}),
+
+    shading<ShadingMethod::gouraud>({"shading", "gouraud", "lit at the vertices, interpolated (flat where the shade model says so)", "Gouraud 1971"}),
+    shading<ShadingMethod::flat>({"shading", "flat", "one colour a primitive, whatever the shade model", "Bouknight 1970"}),
+};
+
+constexpr auto rows = [] {
+  std::array<MethodRow, choices.size()> result{};
+  for (std::size_t i = 0; i < choices.size(); ++i) result[i] = choices[i].row;
+  return result;
+}();
+
+/// "a, b or c": the names of a step, or the steps if `step` is empty.
+std::string alternatives(std::string_view step) {
+  std::string text;
+  std::string_view last;
+  for (const MethodRow& row : rows) {
+    const std::string_view word = step.empty() ? row.step : row.step == step ? row.name : std::string_view();
+    if (word.empty() || word == last) continue;
+    if (!text.empty()) text += ", ";
+    text += word;
+    last = word;
+  }
+  const std::size_t comma = text.rfind(", ");
+  if (comma != std::string::npos) text.replace(comma, 2, " or ");
+  return text;
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 40)) + "'"; }
+
+/// Carries out one "step=name". False if it cannot.
+bool choose(std::string_view item, Methods& methods, std::string& error) {
+  const std::size_t sign = item.find('=');
+  if (sign == std::string_view::npos) {
+    error = "method " + quoted(item) + " is not of the form step=name";
+    return false;
+  }
+  const std::string_view step = item.substr(0, sign), name = item.substr(sign + 1);
+  bool known = false;
+  for (const Choice& choice : choices) {
+    if (choice.row.step != step) continue;
+    known = true;
+    if (choice.row.name == name) {
+      choice.choose(methods);
+      return true;
+    }
+  }
+  error = known ? "method " + std::string(step) + "=" + quoted(name) + " is not known; it may be " + alternatives(step)
+                : "step " + quoted(step) + " is not known; it may be " + alternatives({});
+  return false;
+}
+
+}  // namespace
+
+std::span<const MethodRow> method_rows() { return rows; }
+
+std::optional<Methods> parse_methods(std::string_view text, std::string& error) {
+  Methods methods;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(','), text.size());
+    if (end > 0 && !choose(text.substr(0, end), methods, error)) return std::nullopt;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return methods;
+}
+
+std::string describe(const Methods& methods) {
+  std::string text;
+  std::string_view last_step;
+  for (const Choice& choice : choices) {
+    const bool is_default = choice.row.step != last_step;
+    last_step = choice.row.step;
+    if (is_default || !choice.chosen(methods)) continue;
+    if (!text.empty()) text += ',';
+    text.append(choice.row.step).append("=").append(choice.row.name);
+  }
+  return text;
+}
+
+namespace {
+
+/// The share of a pixel that is covered counts only where something blends it in.
+void blend_by_coverage(DrawState& state) {
+  if (state.raster.blend.enabled || state.raster.logic_op != LogicOp::copy || state.raster.color_write_mask == 0) return;
+  const BlendTerms over{BlendEquation::add, BlendFactor::source_alpha, BlendFactor::one_minus_source_alpha};
+  state.raster.blend.enabled = true;
+  if ((state.raster.color_write_mask & 7) != 0) state.raster.blend.rgb = over;
+  if ((state.raster.color_write_mask & 8) != 0) state.raster.blend.alpha = over;
+}
+
+}  // namespace
+
+void apply_methods(const Methods& methods, DrawState& state) {
+  if (methods.shading == ShadingMethod::flat) state.assembly.shade_model = ShadeModel::flat;
+  if (methods.lines == LineMethod::coverage) {
+    state.lines.smooth = true;
+    blend_by_coverage(state);
+  }
+}
+
+}  // namespace gouraud::pipeline

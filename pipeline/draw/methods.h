@@ -1,0 +1,63 @@
+// Methods: where the field knows several ways to do a step, which of them is used. Initial values are the conforming
+// ones; the others are here to be compared with them, and each says in its file what it is good for and where it fails.
+//
+// A method is chosen where a plan is made or a batch is drawn, never for a pixel: the plan takes other passes, the
+// renderer another way to the bins. A plan without methods is the same plan as if there were none.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace gouraud::pipeline {
+
+/// Which pixels a filled triangle covers [GL1.5 §3.5.1].
+enum class CoverageMethod : std::uint8_t { blocks8, bounding_box, incremental };
+
+/// Who gets a sample that lies exactly on an edge: one of the triangles that share it, all, or none.
+enum class OwnershipMethod : std::uint8_t { top_left, all, none };
+
+/// How lines become pixels [GL1.5 §3.4].
+enum class LineMethod : std::uint8_t { diamond_exit, coverage };
+
+/// How colours, texture coordinates and all else but depth vary over a primitive [GL1.5 §3.4.1, §3.5.1].
+/// `hint`: as PERSPECTIVE_CORRECTION_HINT says; whoever makes a plan has resolved it.
+enum class InterpolationMethod : std::uint8_t { perspective, affine, hint };
+
+/// Whether colours vary over a primitive: as the shade model says, or not at all.
+enum class ShadingMethod : std::uint8_t { gouraud, flat };
+
+struct Methods {
+  CoverageMethod coverage = CoverageMethod::blocks8;
+  OwnershipMethod ownership = OwnershipMethod::top_left;
+  LineMethod lines = LineMethod::diamond_exit;
+  InterpolationMethod colors = InterpolationMethod::perspective;
+  ShadingMethod shading = ShadingMethod::gouraud;
+  bool operator==(const Methods&) const = default;
+
+  /// Triangles do not go the way of those that wait in the bins, but each with a MethodTriangle beside its record.
+  bool shapes_triangles() const { return coverage != CoverageMethod::blocks8 || ownership != OwnershipMethod::top_left; }
+};
+
+/// One way to do a step. The first row of a step is its default.
+struct MethodRow {
+  std::string_view step, name;
+  std::string_view line;    ///< what it does
+  std::string_view source;  ///< author and year, or the section of the specification
+};
+std::span<const MethodRow> method_rows();
+
+/// From "step=name,step=name"; steps that are not named have their default, the last one counts. An empty string gives
+/// the defaults. Nothing if a step or a name is not known: then `error` says, in one line, what could have stood there.
+std::optional<Methods> parse_methods(std::string_view text, std::string& error);
+
+/// The steps that do not have their default, as parse_methods takes them.
+std::string describe(const Methods& methods);
+
+struct DrawState;
+/// What can be said in the state of a draw: shading and smoothness. The rest is the plan's and the renderer's.
+void apply_methods(const Methods& methods, DrawState& state);
+
+}  // namespace gouraud::pipeline
