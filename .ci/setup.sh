@@ -8,7 +8,7 @@ logs=$root/build/log
 # The one list of Debian packages: what building takes, and what the tests take beside it.
 build_packages=(g++ cmake ninja-build python3 khronos-api libhwy-dev libglm-dev libglfw3-dev libx11-dev libxrandr-dev
                 libpng-dev)
-test_packages=(libgtest-dev libosmesa6 xvfb xdotool imagemagick valgrind)
+test_packages=(libgtest-dev libosmesa6 xvfb xdotool imagemagick gnuplot-nox valgrind)
 
 # fail MESSAGE: the one clear line that a failure ends with.
 fail() {

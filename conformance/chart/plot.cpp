@@ -1,0 +1,88 @@
+#include "conformance/chart/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+namespace gouraud::chart {
+namespace {
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c;
+  }
+  return result + "\"";
+}
+
+double placed_y(const Plot& plot, double y) { return plot.log_y ? std::max(y, plot.least_y) : y; }
+
+std::string blocks_of(const Plot& plot) {
+  std::ostringstream out;
+  out.precision(9);
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const PlotSeries& series = plot.series[i];
+    out << "$series" << i << " << END\n";
+    for (std::size_t k = 0; k < series.points.size(); ++k) {
+      out << series.points[k].first << ' ' << placed_y(plot, series.points[k].second);
+      if (!series.labels.empty()) out << ' ' << quoted(series.labels[k]);
+      out << '\n';
+    }
+    out << "END\n";
+  }
+  return out.str();
+}
+
+std::string drawn(const PlotSeries& series, std::size_t index) {
+  const std::string data = "$series" + std::to_string(index);
+  const std::string title = series.title.empty() ? " notitle" : " title " + quoted(series.title);
+  const std::string type = std::to_string(index + 1);
+  switch (series.style) {
+    case PlotSeries::Style::lines: return data + " using 1:2 with linespoints linewidth 1.5 pointsize 0.5 linetype " + type + title;
+    case PlotSeries::Style::steps: return data + " using 1:2 with steps linewidth 1.2 dashtype 2 linecolor rgb '#777777'" + title;
+    case PlotSeries::Style::points: return data + " using 1:2 with points pointtype 7 pointsize 0.6 linetype " + type + title;
+    case PlotSeries::Style::labelled_points: break;
+  }
+  return data + " using 1:2 with points pointtype 7 pointsize 0.7 linetype " + type + title + ", " + data +
+         " using 1:2:3 with labels left offset 0.7,0 font ',9' notitle";
+}
+
+std::string script_of(const std::string& path, const Plot& plot) {
+  std::ostringstream out;
+  out << "set terminal svg size 1000,640 dynamic noenhanced font 'sans,12' background rgb 'white'\n"
+      << "set output " << quoted(path) << "\nset title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label)
+      << "\nset ylabel " << quoted(plot.y_label) << "\nset grid linecolor rgb '#dddddd'\nset key outside right top\n";
+  const double lowest = plot.least_y;
+  double highest = plot.least_y;
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& [x, y] : series.points) highest = std::max(highest, placed_y(plot, y));
+  }
+  if (plot.log_y) out << "set yrange [" << lowest / 2 << ':' << std::max(highest * 3, lowest * 10) << "]\n";
+  if (plot.log_x) out << "set logscale x\n";
+  if (plot.log_y) out << "set logscale y\nset format y '%.0e'\n";
+  out << blocks_of(plot) << "plot ";
+  bool first = true;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    if (plot.series[i].points.empty()) continue;
+    out << (first ? "" : ", \\\n  ") << drawn(plot.series[i], i);
+    first = false;
+  }
+  if (first) throw std::runtime_error("nothing to plot for " + path);
+  out << "\n";
+  return out.str();
+}
+
+}  // namespace
+
+void write_svg(const std::string& path, const Plot& plot) {
+  const std::string script = script_of(path, plot);
+  std::FILE* const gnuplot = ::popen("gnuplot 2>&1", "w");
+  if (gnuplot == nullptr) throw std::runtime_error("gnuplot cannot be started");
+  const bool written = std::fwrite(script.data(), 1, script.size(), gnuplot) == script.size();
+  if (::pclose(gnuplot) != 0 || !written) throw std::runtime_error("gnuplot failed to draw " + path + " (package gnuplot-nox)");
+}
+
+}  // namespace gouraud::chart

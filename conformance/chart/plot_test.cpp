@@ -1,0 +1,30 @@
+#include "conformance/chart/plot.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+#include "conformance/harness/drivers.h"
+
+namespace gouraud::chart {
+namespace {
+
+TEST(Plot, GnuplotWritesAnSvgWithTitleAndLabels) {
+  const conformance::TemporaryFolder folder;
+  const std::string path = folder.path() + "/plot.svg";
+  write_svg(path, {"a title", "x", "y", true, true, 1e-5,
+                   {{"points", PlotSeries::Style::labelled_points, {{1, 0}, {10, 2}}, {"here", "\"there\""}}}});
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  EXPECT_NE(text.str().find("a title"), std::string::npos);
+  EXPECT_NE(text.str().find("here"), std::string::npos);
+  EXPECT_NE(text.str().find("</svg>"), std::string::npos);
+}
+
+TEST(Plot, NothingToPlotIsAnError) { EXPECT_THROW(write_svg("/tmp/nothing.svg", {}), std::runtime_error); }
+
+}  // namespace
+}  // namespace gouraud::chart

@@ -1,0 +1,31 @@
+// The scenes of the chart: what pictures need, one each.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "conformance/chart/probe.h"
+
+namespace gouraud::chart {
+
+enum class ReferenceKind : std::uint8_t {
+  exact,      ///< the oracle's picture of the scene
+  area,       ///< exact area coverage: the scene antialiased by pixel boxes
+  finer_mesh, ///< the oracle's picture at knob 1: the same surfaces cut finer
+};
+
+struct ChartScene {
+  Probe probe;  ///< knob 0
+  ReferenceKind reference = ReferenceKind::exact;
+};
+
+inline constexpr int chart_width_px = 400, chart_height_px = 300;
+
+const std::vector<ChartScene>& chart_scenes();
+
+// By file.
+std::vector<ChartScene> surface_scenes();   // meshes, floors, depth
+std::vector<ChartScene> detail_scenes();    // lines, points, text, slivers
+std::vector<ChartScene> blended_scenes();   // layers, shared edges, area coverage
+
+}  // namespace gouraud::chart
