@@ -33,7 +33,6 @@ class Draw {
     sink_.subpixel_bits = subpixel_bits<T>;
     sink_.points = state.points;
     sink_.lines = state.lines;
-    sink_.smooth_polygons = state.polygons.smooth;
     sink_.texturing = state.texturing;
     sink_.has_secondary = state.lighting.enabled ? state.lighting.separate_specular : state.color_sum;
     if (picture.depth_bits > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(picture.depth_bits);
@@ -57,6 +56,7 @@ class Draw {
   void reset_stipple() { stipple_count_ = 0; }
 
   void draw(const Primitive& primitive) {
+    if (!primitive.continues) finish_polygon();
     const bool flat = state_.assembly.shade_model == pipeline::ShadeModel::flat;
     sink_.flat_colors = flat ? &vertex(primitive.provoking).colors : nullptr;
     sink_.face = front;
@@ -71,6 +71,12 @@ class Draw {
       default:
         draw_triangle(primitive);
     }
+  }
+
+  /// What comes next belongs to no polygon before it.
+  void finish_polygon() {
+    if (!smooth_parts_.empty()) rasterize_smooth_polygon(smooth_parts_);
+    smooth_parts_.clear();
   }
 
  private:
@@ -195,7 +201,11 @@ class Draw {
       const std::array<WindowVertex, 3> triangle{polygon[i - 1], polygon[i], polygon[0]};
       if (!select_face(area_sign(triangle))) continue;
       sink_.depth_offset = state_.polygons.offset_fill ? offset_of(triangle) : 0.0;
-      rasterize_triangle(sink_, triangle);
+      if (!state_.polygons.smooth) {
+        rasterize_triangle(sink_, triangle);
+      } else if (doubled_area(triangle[0].snapped, triangle[1].snapped, triangle[2].snapped) != 0) {
+        smooth_parts_.push_back({sink_, triangle});
+      }
     }
   }
 
@@ -216,6 +226,7 @@ class Draw {
   const pipeline::DrawState& state_;
   FragmentSink sink_;
   std::vector<ClipVertex<T>> vertices_;
+  std::vector<SmoothPart> smooth_parts_;  ///< of the smooth polygon that is being drawn
   std::vector<double> sizes_;  ///< of points at the vertices
   std::int64_t& stipple_count_;
 };
@@ -243,6 +254,7 @@ void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& b
       apply_edge_flags(batch, range, state.assembly, primitive);
       draw.draw(primitive);
     }
+    draw.finish_polygon();
   }
 }
 

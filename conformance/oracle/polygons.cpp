@@ -2,6 +2,7 @@
 // samples (left edges, and horizontal bottom edges). Colours by eq 3.6, depth linear in window space.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "conformance/oracle/rasterize.h"
 #include "conformance/oracle/shading.h"
@@ -195,34 +196,30 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
   offset_and_write(sink, fragment);
 }
 
-/// Every pixel that shares an area with the triangle; data are the means over what is shared, that is (without
-/// perspective) those at its centroid [GL1.5 §3.5.3].
-void rasterize_smooth(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) {
-  const Interpolation values(sink, vertices);
+Outline outline_of(const SmoothPart& part) {
   Outline outline;
-  for (const WindowVertex& vertex : vertices) outline.push_back({vertex.x, vertex.y});
-  const auto [left, right] = std::ranges::minmax(outline, {}, &Place::x);
-  const auto [bottom, top] = std::ranges::minmax(outline, {}, &Place::y);
-  for (int y = static_cast<int>(std::floor(bottom.y)); y < top.y; ++y) {
-    for (int x = static_cast<int>(std::floor(left.x)); x < right.x; ++x) {
-      const Outline shared = clipped_to_pixel(outline, x, y);
-      const double area = area_of(shared);
-      if (area < least_coverage || !is_kept(sink, x, y)) continue;
-      const Place at = centroid_of(shared);
-      const Vector3 weight = values.barycentric(at.x, at.y);
-      Fragment fragment;
-      fragment.face = sink.face;
-      fragment.x = x;
-      fragment.y = y;
-      fragment.coverage = area;
-      fragment.coverage_slack = coverage_rounding;
-      fragment.color = fragment.color_lowest = fragment.color_highest = values.color(weight);
-      fragment.depth = values.depth(weight);
-      fragment.depth_lowest = fragment.depth - sink.depth_slack;
-      fragment.depth_highest = fragment.depth + sink.depth_slack;
-      offset_and_write(sink, fragment);
-    }
-  }
+  for (const WindowVertex& vertex : part.vertices) outline.push_back({vertex.x, vertex.y});
+  return outline;
+}
+
+/// Data are the means over what triangle and pixel share, that is (without perspective) those at its centroid.
+void make_smooth_fragment(const SmoothPart& part, int x, int y, double coverage) {
+  const FragmentSink& sink = part.sink;
+  if (!is_kept(sink, x, y)) return;
+  const Interpolation values(sink, part.vertices);
+  const Place at = centroid_of(clipped_to_pixel(outline_of(part), x, y));
+  const Vector3 weight = values.barycentric(at.x, at.y);
+  Fragment fragment;
+  fragment.face = sink.face;
+  fragment.x = x;
+  fragment.y = y;
+  fragment.coverage = std::min(coverage, 1.0);
+  fragment.coverage_slack = coverage_rounding;
+  fragment.color = fragment.color_lowest = fragment.color_highest = values.color(weight);
+  fragment.depth = values.depth(weight);
+  fragment.depth_lowest = fragment.depth - sink.depth_slack;
+  fragment.depth_highest = fragment.depth + sink.depth_slack;
+  offset_and_write(sink, fragment);
 }
 
 }  // namespace
@@ -247,7 +244,6 @@ void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex,
   const SubpixelPoint c = vertices[2].snapped;
   const Integer area = doubled_area(a, b, c);
   if (area == 0) return;
-  if (sink.smooth_polygons) return rasterize_smooth(sink, vertices);
   if (area < 0) std::swap(a, b);
   const std::array<Edge, 3> edges{Edge(a, b), Edge(b, c), Edge(c, a)};
   const Interpolation values(sink, vertices);
@@ -266,6 +262,30 @@ void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex,
       const bool covered = std::ranges::all_of(edges, [&sample](const Edge& edge) { return edge.covers(sample); });
       if (covered && is_kept(sink, static_cast<int>(x), static_cast<int>(y))) make_fragment(sink, values, static_cast<int>(x), static_cast<int>(y));
     }
+  }
+}
+
+void rasterize_smooth_polygon(const std::vector<SmoothPart>& parts) {
+  struct Share {
+    double sum = 0, largest = 0;
+    const SmoothPart* owner = nullptr;
+  };
+  std::map<std::array<int, 2>, Share> pixels;
+  for (const SmoothPart& part : parts) {
+    const Outline outline = outline_of(part);
+    const auto [left, right] = std::ranges::minmax(outline, {}, &Place::x);
+    const auto [bottom, top] = std::ranges::minmax(outline, {}, &Place::y);
+    for (int y = static_cast<int>(std::floor(bottom.y)); y < top.y; ++y) {
+      for (int x = static_cast<int>(std::floor(left.x)); x < right.x; ++x) {
+        const double area = area_of(clipped_to_pixel(outline, x, y));
+        Share& share = pixels[{x, y}];
+        share.sum += area;
+        if (area > share.largest) share = {share.sum, area, &part};
+      }
+    }
+  }
+  for (const auto& [at, share] : pixels) {
+    if (share.sum >= least_coverage) make_smooth_fragment(*share.owner, at[0], at[1], share.sum);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "conformance/oracle/fragments.h"
 #include "conformance/oracle/vertex.h"
@@ -29,13 +30,20 @@ struct FragmentSink {
   double depth_offset = 0;     ///< of polygons, in window z [GL1.5 §3.5.5]
   pipeline::PointState points{};
   pipeline::LineState lines{};
-  bool smooth_polygons = false;
 };
 
 /// [GL1.5 §3.5.5 eqs 3.8, 3.9] of a triangle, in window z. r is one step of the depth buffer.
 double polygon_offset(const pipeline::PolygonState& state, int depth_bits, const std::array<WindowVertex, 3>& vertices);
 
 void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices);
+
+/// A triangle of a smooth polygon. A pixel gets one fragment: the share that all triangles cover, the values of the one
+/// that covers most [GL1.5 §3.5.3].
+struct SmoothPart {
+  FragmentSink sink;
+  std::array<WindowVertex, 3> vertices;
+};
+void rasterize_smooth_polygon(const std::vector<SmoothPart>& parts);
 /// `stipple_count` fragments (or unit rectangles) of stippled lines came before [GL1.5 §3.4.2]; it is moved on.
 void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, std::int64_t& stipple_count);
 /// `size_px` is not rounded yet.

@@ -1,6 +1,7 @@
 // Smooth points, lines and polygons: alpha is the share of the pixel that is covered. [GL1.5 §3.3.1, §3.4.2, §3.5.3, §3.11]
 // The oracle judges: Mesa's smooth points select the wrong pixels, its smooth lines err by up to 0.13, and it has no smooth
 // polygons (MESA-RULES 5.3, 14).
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -133,6 +134,33 @@ void polygons_as_alpha(const GlTable& gl) {
   triangles(gl);
 }
 
+// Quads and polygons are split into triangles: inside them nothing of that shows. One is cut by the window's edge.
+void whole_polygons(const GlTable& gl) {
+  Random random(337);
+  for (int i = 0; i < 25; ++i) {
+    const float cx = 20 + 58 * static_cast<float>(i % 5), cy = 20 + 58 * static_cast<float>(i / 5);
+    const int corners = i % 2 == 0 ? 4 : 5 + i % 7;
+    color_of(gl, random);
+    const float turn = random.range(0, 3);
+    gl.Begin(corners == 4 ? GL_QUADS : GL_POLYGON);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = static_cast<double>(turn) + 2 * std::numbers::pi * k / corners;
+      gl.Vertex2f(cx + static_cast<float>(31.7 * std::cos(angle)), cy + static_cast<float>(24.3 * std::sin(angle)));
+    }
+    gl.End();
+  }
+}
+void blended_whole_polygons(const GlTable& gl) {
+  smooth(gl, GL_POLYGON_SMOOTH);
+  whole_polygons(gl);
+}
+void whole_polygons_as_alpha(const GlTable& gl) {
+  smooth(gl, GL_POLYGON_SMOOTH, false);
+  gl.ClipPlane(GL_CLIP_PLANE0, std::array<double, 4>{1, 0.4, 0, -50}.data());
+  gl.Enable(GL_CLIP_PLANE0);
+  whole_polygons(gl);
+}
+
 // The classic way: front to back, each fragment fills what its pixel has left. The triangles of a fan meet without a seam.
 void saturated_fan(const GlTable& gl) {
   gl.ClearColor(0, 0, 0, 0);
@@ -177,6 +205,8 @@ SceneList smooth_scenes() {
       {.name = "smooth_outlines", .section = "§3.5.4", .shows = "Smooth outlines of triangles.", .judge = judge, .draw = smooth_outlines},
       {.name = "smooth_polygons", .section = "§3.5.3", .shows = "Triangles with smooth edges.", .judge = judge, .draw = polygons},
       {.name = "smooth_polygons_as_alpha", .section = "§3.5.3", .shows = "The coverage of triangles, left in alpha.", .judge = judge, .draw = polygons_as_alpha},
+      {.name = "smooth_polygons_whole", .section = "§3.5.3", .shows = "Quads and polygons with smooth edges, and no seams inside.", .judge = judge, .draw = blended_whole_polygons},
+      {.name = "smooth_polygons_whole_as_alpha", .section = "§3.5.3", .shows = "The coverage of quads and polygons, some cut by a clip plane.", .judge = judge, .draw = whole_polygons_as_alpha},
       {.name = "smooth_polygons_saturated", .section = "§3.5.3", .shows = "A star of triangles without a seam.", .judge = judge, .draw = saturated_fan},
       {.name = "smooth_alpha_tested", .section = "§3.11", .shows = "Lines whose faint pixels fail the alpha test.", .judge = judge, .draw = alpha_tested},
   };

@@ -31,7 +31,7 @@ def dumps(folder):
 def main():
     valgrind, program, library = sys.argv[1:4]
     with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([valgrind, "--quiet", "--tool=callgrind", "--dump-line=no",
+        subprocess.run([valgrind, "--quiet", "--tool=callgrind",
                         f"--callgrind-out-file={folder}/dump", program, library],
                        check=True, env={**os.environ, "GOURAUD_THREADS": "1"})
         found = dumps(folder)

@@ -110,7 +110,8 @@ struct Renderer::Implementation {
   void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
-  void add_smooth_triangle(const WaitingTriangle& triangle);
+  void set_up_smooth_part(const WaitingTriangle& triangle);
+  void finish_polygons();
   void add_method_triangle(const WaitingTriangle& triangle);
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
@@ -153,6 +154,7 @@ struct Renderer::Implementation {
   std::vector<AssembledTriangle> clipped;
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
   alignas(64) std::array<std::byte, setup_batch * largest_waiting> selected;  ///< of those, the ones to draw
+  std::vector<const PrimitiveRecord*> smooth_parts;  ///< of the smooth polygon that is being drawn
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
@@ -222,6 +224,7 @@ void Renderer::Implementation::project(const DrawState& state) {
 }
 
 void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) {
+  if (smooth_polygons && !triangle.continues) finish_polygons();
   ready.push_back(triangle);
   if (ready.size() == setup_batch) flush_triangles();
 }
@@ -232,14 +235,13 @@ void Renderer::Implementation::flush_triangles() {
   const std::size_t count = select_triangles(*setup, vertices, ready, selected.data());
   for (std::size_t i = 0; i < count; ++i) {
     const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(selected.data() + i * bytes);
-    setup->polygons.smooth ? add_smooth_triangle(triangle) : bins.add_triangle(triangle);
+    setup->polygons.smooth ? set_up_smooth_part(triangle) : bins.add_triangle(triangle);
   }
   ready.clear();
 }
 
-/// choice: the triangles of a quad or polygon are smooth each for itself [GL1.5 §3.5.3]: along their common edges the
-/// shares of both add up to the whole pixel.
-void Renderer::Implementation::add_smooth_triangle(const WaitingTriangle& triangle) {
+/// A smooth polygon has one fragment in each pixel, whatever triangles it was split into [GL1.5 §3.5.3].
+void Renderer::Implementation::set_up_smooth_part(const WaitingTriangle& triangle) {
   if (!smooth_polygons) return add_method_triangle(triangle);
   const WaitingTriangle* const one = &triangle;
   auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
@@ -247,7 +249,31 @@ void Renderer::Implementation::add_smooth_triangle(const WaitingTriangle& triang
   auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
   record.shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape(smooth_triangle(triangle));
   record.scissored = true;
-  bins.add_smooth(record);
+  smooth_parts.push_back(&record);
+}
+
+/// What comes next belongs to no polygon before it. choice: one that was cut, because it is longer than a batch, shows the
+/// seam where it was cut.
+void Renderer::Implementation::finish_polygons() {
+  flush_triangles();
+  if (smooth_parts.empty()) return;
+  const auto count = static_cast<std::int32_t>(smooth_parts.size());
+  if (count == 1) {
+    bins.add_smooth(*smooth_parts[0]);
+  } else {
+    auto* const parts = static_cast<const PrimitiveRecord**>(bins.allocate(smooth_parts.size() * sizeof(PrimitiveRecord*)));
+    std::ranges::copy(smooth_parts, parts);
+    const PrimitiveRecord& first = *parts[0];
+    auto& polygon = *new (bins.allocate(sizeof(SmoothPolygon))) SmoothPolygon{parts, count, first.x0, first.y0, first.x1, first.y1};
+    for (const PrimitiveRecord* part : smooth_parts) {
+      polygon.x0 = std::min(polygon.x0, part->x0);
+      polygon.y0 = std::min(polygon.y0, part->y0);
+      polygon.x1 = std::max(polygon.x1, part->x1);
+      polygon.y1 = std::max(polygon.y1, part->y1);
+    }
+    bins.add_smooth(polygon);
+  }
+  smooth_parts.clear();
 }
 
 /// A triangle whose pixels another method than the default finds.
@@ -268,7 +294,7 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
   if (is_culled(setup->cull, front)) return;
   const PolygonMode mode = front ? mode_front : mode_back;
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
-  flush_triangles();
+  finish_polygons();
   const bool back = !front;
   const bool offset = mode == PolygonMode::line ? setup->polygons.offset_line : setup->polygons.offset_point;
   const double depth_offset = offset ? pipeline::depth_offset(*setup, vertices, triangle) : 0.0;
@@ -380,6 +406,7 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
 
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
+  smooth_parts.clear();
   for (const PrimitiveRange& range : batch.primitives) {
     assembled.triangles.clear();
     assembled.lines.clear();
@@ -397,7 +424,7 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
         clip_and_draw(triangle);
       }
     }
-    flush_triangles();
+    finish_polygons();
     // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
     const bool independent = range.mode == PrimitiveMode::lines;
     if (range.begins) stipple_count = 0;

@@ -12,6 +12,7 @@
 #include "pipeline/framebuffer/accumulation.h"
 #include "pipeline/framebuffer/clear.h"
 #include "pipeline/raster/bitmaps.h"
+#include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -236,13 +237,15 @@ void TileBins::run_points(const PointChunk& chunk, std::int32_t x, std::int32_t 
   }
 }
 
-void TileBins::add_smooth(const PrimitiveRecord& record) {
-  for (std::int32_t y = record.y0 / tile_size; y <= (record.y1 - 1) / tile_size; ++y) {
-    for (std::int32_t x = record.x0 / tile_size; x <= (record.x1 - 1) / tile_size; ++x) {
-      add(y * target_->tiles_x + x, {.what = &record, .kind = EntryKind::smooth});
-    }
+template <class Box>
+void TileBins::add_box(const Box& box, const Entry& entry) {
+  for (std::int32_t y = box.y0 / tile_size; y <= (box.y1 - 1) / tile_size; ++y) {
+    for (std::int32_t x = box.x0 / tile_size; x <= (box.x1 - 1) / tile_size; ++x) add(y * target_->tiles_x + x, entry);
   }
 }
+
+void TileBins::add_smooth(const PrimitiveRecord& record) { add_box(record, {.what = &record, .kind = EntryKind::smooth}); }
+void TileBins::add_smooth(const SmoothPolygon& polygon) { add_box(polygon, {.what = &polygon, .kind = EntryKind::smooth_polygon}); }
 
 void TileBins::flush_block_list(const PrimitiveRecord& record, std::int32_t tile) {
   if (block_list_.empty()) return;
@@ -409,6 +412,7 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
         record.shape->rasterize(record, x, y, pixels);
         break;
       }
+      case EntryKind::smooth_polygon: rasterize_smooth(*static_cast<const SmoothPolygon*>(entry.what), x, y, pixels); break;
       case EntryKind::triangles: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
       case EntryKind::blocks: {
         FragmentBlock block;

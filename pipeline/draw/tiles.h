@@ -75,6 +75,8 @@ class TileBins {
   void add_point(const SetupState& state, const WaitingPoint& point);
   /// Every pixel of the record's box that its shape touches, as the shape's rasterizer sees it.
   void add_smooth(const PrimitiveRecord& record);
+  /// Every pixel that the triangles of a smooth polygon touch.
+  void add_smooth(const SmoothPolygon& polygon);
   /// Fragments at these pixels, each once; those outside `scissor` are left out.
   void add_pixels(const PrimitiveRecord& record, std::span<const PixelPosition> pixels, const PixelRect& scissor);
   void add_clear(const ClearState& state);
@@ -93,7 +95,7 @@ class TileBins {
  private:
   /// Small triangles and lines wait for their setup by the tile, in runs of one state: one behind the other in memory,
   /// so that a tile reads them as they come. A polygon has been set up because many tiles share it.
-  enum class EntryKind : std::uint8_t { triangles, lines, polygon, smooth, points, blocks, clear, accum };
+  enum class EntryKind : std::uint8_t { triangles, lines, polygon, smooth, smooth_polygon, points, blocks, clear, accum };
   struct Entry {
     /// WaitingTriangles, WaitingLines, a PointChunk, a ClearState, an AccumState, or the others' PrimitiveRecord.
     const void* what = nullptr;
@@ -103,6 +105,8 @@ class TileBins {
     const SetupState* state = nullptr;  ///< of a run
     const BlockMask* blocks = nullptr;
   };
+  template <class Box>
+  void add_box(const Box& box, const Entry& entry);
   void add_to_tiles(const PixelRect& box, const Entry& entry);
   void add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes);
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);

@@ -67,6 +67,13 @@ struct SmoothShape {
   ShapeRasterizer rasterize = rasterize_smooth;
 };
 
+/// The filled triangles that make up one smooth polygon: together they give each pixel one fragment.
+struct SmoothPolygon {
+  const PrimitiveRecord* const* part = nullptr;
+  std::int32_t part_count = 0;
+  std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< the box of all their boxes
+};
+
 /// How colour varies over the primitive.
 /// `image`: each fragment has its own, from the binding's image.
 enum class ColorVariation : std::uint8_t { constant, affine, perspective, image };

@@ -1,4 +1,4 @@
-// Takes a shape, gives the area that it shares with pixels.
+// Takes shapes, gives the area that they share with pixels.
 //
 // Corners: an edge that runs up has its left side counted in every pixel beside it, one that runs down takes it away
 // again; what is left in a pixel is the area of the shape there. Along an edge the share of the pixel that lies to the
@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "pipeline/framebuffer/framebuffer.h"
 #include "pipeline/raster/polygons.h"
@@ -91,15 +92,52 @@ void cover_disc(const SmoothShape& shape, std::int32_t x, std::int32_t y, Areas&
   }
 }
 
-}  // namespace
-
-std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage) {
+Areas areas_of(const SmoothShape& shape, std::int32_t x, std::int32_t y) {
   Areas area{};
   if (shape.corner_count == 0) {
     cover_disc(shape, x, y, area);
   } else {
     cover_corners(shape, x, y, area);
   }
+  return area;
+}
+
+/// Calls draw(block) for every block of the tile that the box touches.
+template <class Box, class DrawBlock>
+void for_each_block(const Box& box, std::int32_t tile_x, std::int32_t tile_y, DrawBlock draw) {
+  const std::int32_t column0 = std::max(box.x0 - tile_x, 0) / block_size, row0 = std::max(box.y0 - tile_y, 0) / block_size;
+  const std::int32_t column1 = (std::min(box.x1 - tile_x, tile_size) - 1) / block_size;
+  const std::int32_t row1 = (std::min(box.y1 - tile_y, tile_size) - 1) / block_size;
+  FragmentBlock block;
+  for (std::int32_t row = row0; row <= row1; ++row) {
+    for (std::int32_t column = column0; column <= column1; ++column) {
+      block.x = tile_x + column * block_size;
+      block.y = tile_y + row * block_size;
+      block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
+      draw(block);
+    }
+  }
+}
+
+/// What a polygon's triangles cover of 64 pixels, and which of them covers most.
+struct SharedBlock {
+  Areas sum{}, largest{};
+  std::array<const PrimitiveRecord*, 64> owner{};
+
+  void add(const PrimitiveRecord& part, const Areas& area) {
+    for (std::size_t lane = 0; lane < 64; ++lane) {
+      sum[lane] += area[lane];
+      if (area[lane] <= largest[lane]) continue;
+      largest[lane] = area[lane];
+      owner[lane] = &part;
+    }
+  }
+};
+
+}  // namespace
+
+std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage) {
+  const Areas area = areas_of(shape, x, y);
   std::uint64_t covered = 0;
   for (std::size_t lane = 0; lane < 64; ++lane) {
     coverage[lane] = static_cast<float>(std::min(area[lane], 1.0));
@@ -121,20 +159,33 @@ PixelRect box_of(const SmoothShape& shape) {
 }
 
 void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
-  const std::int32_t column0 = std::max(primitive.x0 - tile_x, 0) / block_size, row0 = std::max(primitive.y0 - tile_y, 0) / block_size;
-  const std::int32_t column1 = (std::min(primitive.x1 - tile_x, tile_size) - 1) / block_size;
-  const std::int32_t row1 = (std::min(primitive.y1 - tile_y, tile_size) - 1) / block_size;
-  FragmentBlock block;
-  block.primitive = &primitive;
-  for (std::int32_t row = row0; row <= row1; ++row) {
-    for (std::int32_t column = column0; column <= column1; ++column) {
-      block.x = tile_x + column * block_size;
-      block.y = tile_y + row * block_size;
-      block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
-      block.coverage = cover_block(*primitive.shape, block.x, block.y, block.pixel_coverage) & box_mask(primitive, block.x, block.y);
-      if (block.coverage != 0) run_passes(primitive.binding->passes, block, target);
+  for_each_block(primitive, tile_x, tile_y, [&](FragmentBlock& block) {
+    block.primitive = &primitive;
+    block.coverage = cover_block(*primitive.shape, block.x, block.y, block.pixel_coverage) & box_mask(primitive, block.x, block.y);
+    if (block.coverage != 0) run_passes(primitive.binding->passes, block, target);
+  });
+}
+
+void rasterize_smooth(const SmoothPolygon& polygon, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
+  const std::span parts(polygon.part, static_cast<std::size_t>(polygon.part_count));
+  for_each_block(polygon, tile_x, tile_y, [&](FragmentBlock& block) {
+    SharedBlock shared;
+    for (const PrimitiveRecord* part : parts) {
+      if (box_mask(*part, block.x, block.y) != 0) shared.add(*part, areas_of(*part->shape, block.x, block.y));
     }
-  }
+    for (const PrimitiveRecord* part : parts) {
+      block.coverage = 0;
+      for (std::size_t lane = 0; lane < 64; ++lane) {
+        const bool drawn = shared.owner[lane] == part && shared.sum[lane] >= least_coverage;
+        block.coverage |= static_cast<std::uint64_t>(drawn) << lane;
+      }
+      block.coverage &= box_mask(*part, block.x, block.y);
+      if (block.coverage == 0) continue;
+      block.primitive = part;
+      for (std::size_t lane = 0; lane < 64; ++lane) block.pixel_coverage[lane] = static_cast<float>(std::min(shared.sum[lane], 1.0));
+      run_passes(part->binding->passes, block, target);
+    }
+  });
 }
 
 }  // namespace gouraud::pipeline

@@ -17,6 +17,10 @@ inline constexpr double least_coverage = 1.0 / (1 << 20);
 /// blocks through the primitive's passes.
 void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target);
 
+/// The same of a polygon's triangles: each pixel has one fragment, with what all of them cover of it and the depth and
+/// colours of the one that covers most (the first of equals).
+void rasterize_smooth(const SmoothPolygon& polygon, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target);
+
 /// The area that the shape shares with each of the 64 pixels from (x, y) on; returns which are at least least_coverage.
 /// Exact for corners (to within rounding), to within 0.001 for discs.
 std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage);
