@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <system_error>
 
 #include "pipeline/draw/draw_state.h"
 
@@ -20,10 +22,18 @@ constexpr Choice choice(MethodRow row) {
   return {row, [](Methods& methods) { methods.*member = value; },
           [](const Methods& methods) { return methods.*member == value; }};
 }
+/// A number: any in [0, 1] may stand there, these rows are examples. The first is the default.
+constexpr std::string_view epsilon_step = "epsilon";
+constexpr Choice epsilon_row(std::string_view name) {
+  return {{epsilon_step, name, "of coverage=barycentric, as a share of the area: any number from 0 to 1", "as taught"}, nullptr, nullptr};
+}
+
 template <auto value>
 constexpr auto coverage = choice<&Methods::coverage, value>;
 template <auto value>
 constexpr auto ownership = choice<&Methods::ownership, value>;
+template <auto value>
+constexpr auto clipping = choice<&Methods::clipping, value>;
 template <auto value>
 constexpr auto lines = choice<&Methods::lines, value>;
 template <auto value>
@@ -34,13 +44,28 @@ constexpr auto shading = choice<&Methods::shading, value>;
 constexpr std::array choices{
     coverage<CoverageMethod::blocks8>({"coverage", "blocks8", "integer edge functions; 8x8 blocks and tiles wholly in or out skip the test",
                                        "Greene 1996; Abrash 2009"}),
+    coverage<CoverageMethod::blocks4>({"coverage", "blocks4", "the same by cells of 4x4", "Greene 1996"}),
+    coverage<CoverageMethod::blocks16>({"coverage", "blocks16", "the same by cells of 16x16", "Greene 1996"}),
+    coverage<CoverageMethod::blocks64>({"coverage", "blocks64", "the same, no cell smaller than a tile left out", "Greene 1996"}),
     coverage<CoverageMethod::bounding_box>({"coverage", "bounding_box", "every edge function evaluated anew at every pixel of the box",
                                             "Pineda 1988, without his increments"}),
     coverage<CoverageMethod::incremental>({"coverage", "incremental", "edge functions stepped from pixel to pixel by additions", "Pineda 1988"}),
+    coverage<CoverageMethod::scanline>({"coverage", "scanline", "spans between edges that are walked row by row, in float", "Wylie, Romney, Evans, Erdahl 1967"}),
+    coverage<CoverageMethod::barycentric>({"coverage", "barycentric", "three areas that add up to the whole, to within epsilon, in float", "as taught, after Moebius 1827"}),
+    coverage<CoverageMethod::homogeneous>({"coverage", "homogeneous", "edge functions of homogeneous coordinates, in double; nothing is clipped", "Olano and Greer 1997"}),
+    coverage<CoverageMethod::float_edges>({"coverage", "float_edges", "edge functions in float, corners not snapped", "Pineda 1988"}),
+    coverage<CoverageMethod::float_steps>({"coverage", "float_steps", "edge functions in float, stepped from pixel to pixel", "Pineda 1988"}),
+
+    epsilon_row("0.0001"), epsilon_row("0"), epsilon_row("1e-06"), epsilon_row("0.001"), epsilon_row("0.01"),
 
     ownership<OwnershipMethod::top_left>({"ownership", "top_left", "left and bottom edges own the samples on them: each pixel once", "GL 1.5, 3.5.1"}),
     ownership<OwnershipMethod::all>({"ownership", "all", "every edge owns its samples: shared edges are drawn twice", "the missing rule"}),
     ownership<OwnershipMethod::none>({"ownership", "none", "no edge owns its samples: shared edges have holes", "the missing rule"}),
+
+    clipping<ClippingMethod::clip_space>({"clipping", "clip_space", "polygons cut at the planes of the clip volume, before the division", "Sutherland and Hodgman 1974"}),
+    clipping<ClippingMethod::guard_band>({"clipping", "guard_band", "what crosses the window's sides alone is left to the rasterizer", "Direct3D 7, 1999"}),
+    clipping<ClippingMethod::homogeneous>({"clipping", "homogeneous", "triangles that would be cut have homogeneous edge functions instead", "Olano and Greer 1997"}),
+    clipping<ClippingMethod::none>({"clipping", "none", "all is divided by w, wherever it lies", "the missing stage"}),
 
     lines<LineMethod::diamond_exit>({"lines", "diamond_exit", "pixels whose diamonds the line leaves, end points included", "GL 1.5, 3.4.1"}),
     lines<LineMethod::coverage>({"lines", "coverage", "a rectangle with the area that it covers of each pixel, blended", "GL 1.5, 3.4.2.1; Gupta and Sproull 1981"}),
@@ -78,6 +103,14 @@ std::string alternatives(std::string_view step) {
 
 std::string quoted(std::string_view text) { return "'" + std::string(text.substr(0, 40)) + "'"; }
 
+bool read_epsilon(std::string_view text, float& epsilon) {
+  float value = 0;
+  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (problem != std::errc{} || end != text.data() + text.size() || !(value >= 0 && value <= 1)) return false;
+  epsilon = value;
+  return true;
+}
+
 /// Carries out one "step=name". False if it cannot.
 bool choose(std::string_view item, Methods& methods, std::string& error) {
   const std::size_t sign = item.find('=');
@@ -86,6 +119,11 @@ bool choose(std::string_view item, Methods& methods, std::string& error) {
     return false;
   }
   const std::string_view step = item.substr(0, sign), name = item.substr(sign + 1);
+  if (step == epsilon_step) {
+    if (read_epsilon(name, methods.epsilon)) return true;
+    error = "method epsilon=" + quoted(name) + " is not a number from 0 to 1";
+    return false;
+  }
   bool known = false;
   for (const Choice& choice : choices) {
     if (choice.row.step != step) continue;
@@ -120,9 +158,16 @@ std::string describe(const Methods& methods) {
   for (const Choice& choice : choices) {
     const bool is_default = choice.row.step != last_step;
     last_step = choice.row.step;
-    if (is_default || !choice.chosen(methods)) continue;
+    const bool is_number = choice.chosen == nullptr;
+    if (is_number ? !is_default || methods.epsilon == Methods{}.epsilon : is_default || !choice.chosen(methods)) continue;
     if (!text.empty()) text += ',';
-    text.append(choice.row.step).append("=").append(choice.row.name);
+    text.append(choice.row.step).append("=");
+    if (is_number) {
+      std::array<char, 32> number;
+      text.append(number.data(), std::to_chars(number.begin(), number.end(), methods.epsilon).ptr);
+    } else {
+      text += choice.row.name;
+    }
   }
   return text;
 }

@@ -14,10 +14,16 @@
 namespace gouraud::pipeline {
 
 /// Which pixels a filled triangle covers [GL1.5 §3.5.1].
-enum class CoverageMethod : std::uint8_t { blocks8, bounding_box, incremental };
+enum class CoverageMethod : std::uint8_t {
+  blocks8, blocks4, blocks16, blocks64, bounding_box, incremental, scanline, barycentric, homogeneous, float_edges, float_steps
+};
 
 /// Who gets a sample that lies exactly on an edge: one of the triangles that share it, all, or none.
 enum class OwnershipMethod : std::uint8_t { top_left, all, none };
+
+/// What becomes of triangles that lie partly outside the clip volume [GL1.5 §2.12]. Lines, points, polygons that are not
+/// filled and the user's clip planes are clipped as ever.
+enum class ClippingMethod : std::uint8_t { clip_space, guard_band, homogeneous, none };
 
 /// How lines become pixels [GL1.5 §3.4].
 enum class LineMethod : std::uint8_t { diamond_exit, coverage };
@@ -32,12 +38,16 @@ enum class ShadingMethod : std::uint8_t { gouraud, flat };
 struct Methods {
   CoverageMethod coverage = CoverageMethod::blocks8;
   OwnershipMethod ownership = OwnershipMethod::top_left;
+  float epsilon = 1e-4f;  ///< of CoverageMethod::barycentric, in [0, 1]
+  ClippingMethod clipping = ClippingMethod::clip_space;
   LineMethod lines = LineMethod::diamond_exit;
   InterpolationMethod colors = InterpolationMethod::perspective;
   ShadingMethod shading = ShadingMethod::gouraud;
   bool operator==(const Methods&) const = default;
 
   /// Triangles do not go the way of those that wait in the bins, but each with a MethodTriangle beside its record.
+  /// Triangles reach the rasterizer that leave the viewport: its rectangle has to be cut out.
+  bool leaves_viewport() const { return clipping != ClippingMethod::clip_space || coverage == CoverageMethod::homogeneous; }
   bool shapes_triangles() const { return coverage != CoverageMethod::blocks8 || ownership != OwnershipMethod::top_left; }
 };
 

@@ -21,6 +21,7 @@
 #include "pipeline/geometry/assembly.h"
 #include "pipeline/geometry/clip_planes.h"
 #include "pipeline/geometry/clipping.h"
+#include "pipeline/geometry/clipping_methods.h"
 #include "pipeline/geometry/affine.h"
 #include "pipeline/geometry/colors.h"
 #include "pipeline/geometry/lighting.h"
@@ -29,6 +30,7 @@
 #include "pipeline/geometry/texture_coordinates.h"
 #include "pipeline/geometry/transform.h"
 #include "pipeline/geometry/viewport.h"
+#include "pipeline/raster/homogeneous.h"
 #include "pipeline/raster/method_triangle.h"
 #include "pipeline/raster/setup.h"
 
@@ -54,6 +56,13 @@ void note_stencil(const Framebuffer& target) {
   if (target.stencil_bits > 0 && target.depth_format == DepthFormat::z24s8) target.depth.use_stencil();
 }
 
+/// What of the rectangle lies in the viewport.
+PixelRect cut_to(const ViewportState& viewport, const PixelRect& rectangle) {
+  const auto sum = [](std::int32_t a, std::int32_t b) { return static_cast<std::int32_t>(std::min<std::int64_t>(std::int64_t{a} + b, INT32_MAX)); };
+  return {std::max(rectangle.x0, viewport.x), std::max(rectangle.y0, viewport.y),
+          std::min(rectangle.x1, sum(viewport.x, viewport.width_px)), std::min(rectangle.y1, sum(viewport.y, viewport.height_px))};
+}
+
 SetupState make_setup_state(const DrawState& state, const Plan& plan, const Framebuffer& target) {
   SetupState setup;
   setup.scissor = state.raster.scissor;
@@ -68,6 +77,7 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
   setup.lines = state.lines;
   setup.polygons = state.polygons;
   setup.polygons.smooth |= plan.methods.shapes_triangles();
+  if (plan.methods.leaves_viewport()) setup.scissor = cut_to(state.viewport, setup.scissor);
   setup.targets = {depth_scale(target.depth_format), target.depth_format == DepthFormat::z32f, plan.textured ? 1.0f : color_scale(target.color_format)};
   return setup;
 }
@@ -112,6 +122,9 @@ struct Renderer::Implementation {
   void flush_triangles();
   void set_up_smooth_part(const WaitingTriangle& triangle);
   void finish_polygons();
+  void flush_shapes();
+  void add_homogeneous_triangle(const AssembledTriangle& triangle);
+  bool draw_unclipped(const AssembledTriangle& triangle);
   void add_method_triangle(const WaitingTriangle& triangle);
   void draw_unfilled(const AssembledTriangle& triangle);
   void draw_line(AssembledLine line);
@@ -148,7 +161,7 @@ struct Renderer::Implementation {
   bool unfilled = false;
   bool plain_points = false, plain_lines = false;
   Methods methods;
-  bool smooth_polygons = false;
+  bool smooth_polygons = false, homogeneous = false;
   ClipAttributes clip_attributes;
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
@@ -186,6 +199,7 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   if (plan.writes_stencil) note_stencil(*bins.target());
   setup = bins.intern(make_setup_state(state, plan, *bins.target()), binding);
   smooth_polygons = state.polygons.smooth;
+  homogeneous = plan.methods.coverage == CoverageMethod::homogeneous && !smooth_polygons;
   mode_front = state.assembly.polygon_mode_front;
   mode_back = state.assembly.polygon_mode_back;
   plain_points = are_plain_points(*setup);
@@ -231,18 +245,55 @@ void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) 
 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
+  if (setup->polygons.smooth) return flush_shapes();
   const std::size_t bytes = waiting_size(*setup);
   const std::size_t count = select_triangles(*setup, vertices, ready, selected.data());
   for (std::size_t i = 0; i < count; ++i) {
-    const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(selected.data() + i * bytes);
-    setup->polygons.smooth ? set_up_smooth_part(triangle) : bins.add_triangle(triangle);
+    bins.add_triangle(*reinterpret_cast<const WaitingTriangle*>(selected.data() + i * bytes));
   }
   ready.clear();
 }
 
+/// Triangles whose pixels their edges alone do not give: smooth ones, and those of other methods.
+void Renderer::Implementation::flush_shapes() {
+  for (const AssembledTriangle& triangle : ready) {
+    if (homogeneous) {
+      add_homogeneous_triangle(triangle);
+    } else if (select_triangles(*setup, vertices, {&triangle, 1}, selected.data()) > 0) {
+      const auto& waiting = *reinterpret_cast<const WaitingTriangle*>(selected.data());
+      smooth_polygons ? set_up_smooth_part(waiting) : add_method_triangle(waiting);
+    }
+  }
+  ready.clear();
+}
+
+void Renderer::Implementation::add_homogeneous_triangle(const AssembledTriangle& triangle) {
+  const std::size_t bytes = record_size(*setup);
+  auto* shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle;
+  void* memory = bins.allocate(bytes);
+  if (!setup_homogeneous(*setup, viewport, vertices, triangle, memory, *shape)) return bins.take_back(bytes);
+  bins.add_smooth(*static_cast<PrimitiveRecord*>(memory));
+}
+
+/// A triangle that lies partly outside, as the method has it. False: clip it.
+bool Renderer::Implementation::draw_unclipped(const AssembledTriangle& triangle) {
+  unsigned outcodes = 0;
+  for (const std::uint16_t vertex : triangle.vertex) outcodes |= vertices.outcode[vertex];
+  if (unfilled || smooth_polygons || outcodes >= outside_clip_plane_0) return false;
+  if ((outcodes & outside_invalid) != 0) return true;
+  if (homogeneous || methods.clipping == ClippingMethod::homogeneous) {
+    flush_triangles();
+    add_homogeneous_triangle(triangle);
+    return true;
+  }
+  const bool fits = methods.clipping == ClippingMethod::none ? force_into_window(viewport, triangle, vertices)
+                                                             : fits_guard_band(viewport, vertices, triangle);
+  if (fits) emit(triangle);
+  return fits || methods.clipping == ClippingMethod::none;
+}
+
 /// A smooth polygon has one fragment in each pixel, whatever triangles it was split into [GL1.5 §3.5.3].
 void Renderer::Implementation::set_up_smooth_part(const WaitingTriangle& triangle) {
-  if (!smooth_polygons) return add_method_triangle(triangle);
   const WaitingTriangle* const one = &triangle;
   auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
   setup_triangles({&one, 1}, memory);
@@ -315,6 +366,7 @@ void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) 
 void Renderer::Implementation::clip_and_draw(const AssembledTriangle& triangle) {
   const auto outcode = [&](std::size_t i) { return vertices.outcode[triangle.vertex[i]]; };
   if ((outcode(0) & outcode(1) & outcode(2)) != 0) return;
+  if (methods.leaves_viewport() && draw_unclipped(triangle)) return;
   if (vertices.count + max_clip_vertices > processed_stride) {
     flush_triangles();
     vertices.count = batch_count;

@@ -32,6 +32,14 @@ ShapeRasterizer rasterizer_of(CoverageMethod method) {
   switch (method) {
     case CoverageMethod::bounding_box: return rasterize_bounding_box;
     case CoverageMethod::incremental: return rasterize_incrementally;
+    case CoverageMethod::blocks4:
+    case CoverageMethod::blocks16:
+    case CoverageMethod::blocks64: return block_rasterizer(method);
+    case CoverageMethod::scanline: return rasterize_scanlines;
+    case CoverageMethod::barycentric: return rasterize_by_areas;
+    case CoverageMethod::float_edges: return rasterize_float_edges;
+    case CoverageMethod::float_steps: return rasterize_float_steps;
+    case CoverageMethod::homogeneous:  // set up by setup_homogeneous
     case CoverageMethod::blocks8: break;
   }
   return polygon_rasterizer();
@@ -48,6 +56,7 @@ MethodTriangle method_triangle(const WaitingTriangle& triangle, const Methods& m
   }
   if (methods.ownership != OwnershipMethod::top_left) set_edges(result, methods.ownership, record);
   result.smooth = false;
+  result.epsilon = methods.epsilon;
   result.rasterize = rasterizer_of(methods.coverage);
   return result;
 }
