@@ -50,6 +50,7 @@ RULES = {
     "conformance": PUBLIC,
     "api": {"GL/gl.h", "GL/osmesa.h", "api"},
     "api/state": {"GL/gl.h", "pipeline/draw/draw_state.h",  # for the limits that both must agree on
+                  "pipeline/simd/float_mode.h",             # matrices have the same bits however the program rounds
                   "pipeline/texture/image.h"},              # texture objects hold images
     "api/context": {"GL/gl.h", "api", "pipeline/draw", "pipeline/geometry/vertex_batch.h", "pipeline/framebuffer",
                     "pipeline/texture/attachable.h"},  # images that framebuffers draw into

@@ -4,15 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "pipeline/simd/float_mode.h"
+
 namespace gouraud::api {
 
 glm::mat4 product(const glm::mat4& a, const glm::mat4& b) {
+  const pipeline::IeeeFloats floats;
   glm::mat4 result;
   for (int column = 0; column < 4; ++column) result[column] = product(a, b[column]);
   return result;
 }
 
 glm::vec4 product(const glm::mat4& m, const glm::vec4& v) {
+  const pipeline::IeeeFloats floats;
   return ((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3] * v.w;
 }
 
@@ -87,6 +91,7 @@ glm::vec3 unit_axis(const glm::vec3& axis) {
 }  // namespace
 
 glm::mat4 rotation(float angle_deg, const glm::vec3& axis) {
+  const pipeline::IeeeFloats floats;
   const auto [s, c] = rotation_sine_cosine(angle_deg);
 
   // An axis of the coordinate system: exact zeros and ones elsewhere.
@@ -110,6 +115,7 @@ glm::mat4 rotation(float angle_deg, const glm::vec3& axis) {
 }
 
 glm::mat4 frustum(float left, float right, float bottom, float top, float near_distance, float far_distance) {
+  const pipeline::IeeeFloats floats;
   glm::mat4 m(0.0f);
   m[0][0] = (2.0f * near_distance) / (right - left);
   m[1][1] = (2.0f * near_distance) / (top - bottom);
@@ -122,6 +128,7 @@ glm::mat4 frustum(float left, float right, float bottom, float top, float near_d
 }
 
 glm::mat4 orthographic(float left, float right, float bottom, float top, float near_distance, float far_distance) {
+  const pipeline::IeeeFloats floats;
   glm::mat4 m(1.0f);
   m[0][0] = 2.0f / (right - left);
   m[1][1] = 2.0f / (top - bottom);
@@ -158,6 +165,7 @@ bool invertible(double determinant) {
 }  // namespace
 
 glm::mat3 normal_matrix(const glm::mat4& modelview) {
+  const pipeline::IeeeFloats floats;
   const auto [cofactors, determinant] = cofactors_of(modelview);
   const double divisor = invertible(determinant) ? determinant : 1.0;
   glm::mat3 result;
@@ -168,6 +176,7 @@ glm::mat3 normal_matrix(const glm::mat4& modelview) {
 }
 
 float rescale_factor(const glm::mat4& modelview) {
+  const pipeline::IeeeFloats floats;
   const auto [cofactors, determinant] = cofactors_of(modelview);
   // Row 3 of the inverse is column 3 of the inverse transpose.
   const glm::dvec3 row = cofactors[2] / (invertible(determinant) ? determinant : 1.0);
@@ -176,6 +185,7 @@ float rescale_factor(const glm::mat4& modelview) {
 }
 
 glm::dvec4 to_eye(const glm::dvec4& plane_object, const glm::mat4& modelview) {
+  const pipeline::IeeeFloats floats;
   const glm::dmat4 m(modelview);
   // Cofactor (row, column) belongs to the inverse's element (column, row), so plane . inverse is a sum over columns.
   const auto minor = [&](int row, int column) {

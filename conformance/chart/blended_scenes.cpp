@@ -112,14 +112,15 @@ Drawing polygon_checker(const GlTable& gl, double) {
 
 std::vector<ChartScene> blended_scenes() {
   return {
-      {{"layers", "24 Gouraud layers blended over each other", width, height, layers}},
+      {{"layers", "24 Gouraud layers blended over each other", width, height, layers}, polygon_steps},
       {{"shared_edges", "6,600 triangles of a net, blended ONE/ONE: even grey where each pixel is drawn once", width, height,
-        shared_edges}},
+        shared_edges},
+       flat_steps},
       {{"edges", "wedges in all directions; the reference is the area that they cover", area_width, area_height, edges},
-       ReferenceKind::area},
+       flat_steps, ReferenceKind::area},
       {{"polygon_checker", "a checker of polygons to the horizon; the reference is the area covered", area_width, area_height,
         polygon_checker},
-       ReferenceKind::area},
+       flat_steps, ReferenceKind::area},
   };
 }
 

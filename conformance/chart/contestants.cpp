@@ -25,11 +25,11 @@ Command driver_command(const Paths& paths, const std::string& library, const std
 
 Contestant ours(const Paths& paths, const Method& method) {
   const bool is_default = method.setting.empty();
-  Contestant contestant{is_default ? "default" : std::string(method.setting), std::string(method.step),
+  Contestant contestant{is_default ? "default" : method.setting, method.step,
                         is_default ? Owner::ours_default : Owner::ours_method,
                         driver_command(paths, paths.our_library, "Gouraud"), method.antialiases};
   contestant.command.environment.emplace_back("GOURAUD_THREADS", "1");
-  if (!is_default) contestant.command.environment.emplace_back("GOURAUD_METHODS", std::string(method.setting));
+  if (!is_default) contestant.command.environment.emplace_back("GOURAUD_METHODS", method.setting);
   return contestant;
 }
 
@@ -106,7 +106,10 @@ double ProbeDriver::frames(int count) {
 
 std::vector<Contestant> all_contestants(const Paths& paths) {
   std::vector<Contestant> contestants;
-  for (const Method& method : methods_of(paths)) contestants.push_back(ours(paths, method));
+  for (const Method& method : all_methods()) {
+    // Only says who decides: affine or the default, as glHint has it.
+    if (method.setting != "colors=hint") contestants.push_back(ours(paths, method));
+  }
   contestants.push_back(mesa(paths, "llvmpipe", Owner::llvmpipe));
   contestants.push_back(mesa(paths, "softpipe", Owner::softpipe));
   return contestants;

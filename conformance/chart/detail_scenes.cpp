@@ -148,12 +148,12 @@ Probe probe(std::string_view name, std::string_view shows, Drawing (*setup)(cons
 
 std::vector<ChartScene> detail_scenes() {
   return {
-      {probe("slivers", "360 triangles, one degree wide, with colours and depths of their own", slivers)},
-      {probe("small_triangles", "12,000 triangles of some pixels, steep in depth", small_triangles)},
-      {probe("thin_lines", "300 lines of width 1 in all directions", thin_lines)},
-      {probe("smooth_lines", "the same lines, antialiased and blended", smooth_lines)},
-      {probe("text", "1,344 glyphs: alpha tested texels, not on whole pixels", text)},
-      {probe("points", "18,000 points of sizes 1 to 6 with depth", points)},
+      {probe("slivers", "360 triangles, one degree wide, with colours and depths of their own", slivers), polygon_steps},
+      {probe("small_triangles", "12,000 triangles of some pixels, steep in depth", small_triangles), polygon_steps},
+      {probe("thin_lines", "300 lines of width 1 in all directions", thin_lines), line_steps},
+      {probe("smooth_lines", "the same lines, antialiased and blended", smooth_lines), line_steps},
+      {probe("text", "1,344 glyphs: alpha tested texels, not on whole pixels", text), polygon_steps},
+      {probe("points", "18,000 points of sizes 1 to 6 with depth", points), point_steps},
   };
 }
 

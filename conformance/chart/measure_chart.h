@@ -48,8 +48,8 @@ std::optional<double> error_of(const PictureError& error, Axis axis);
 
 /// The points of a scene, of the contestants that drew.
 std::vector<Point> points_of(const SceneChart& chart, Axis axis);
-/// Over all scenes with an exact reference: the geometric mean of the relative times and the mean of the errors, of the
-/// contestants that drew all of them.
+/// Over all scenes with an exact reference: the geometric mean of the relative times and the mean of the errors. A method
+/// counts as the default where a scene does not show its step.
 std::vector<Point> overall_points(const std::vector<SceneChart>& charts, Axis axis);
 
 std::vector<SceneChart> measure_chart(const std::vector<Contestant>& contestants, const ChartOptions& options);

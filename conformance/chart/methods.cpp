@@ -1,16 +1,33 @@
 #include "conformance/chart/methods.h"
 
-#include <array>
+#include <sstream>
+
+#include <GL/gouraud.h>
 
 namespace gouraud::chart {
-namespace {
 
-constexpr std::array methods{
-    Method{"", ""},
-};
+std::vector<Method> methods_of_table(const std::string& table) {
+  std::vector<Method> methods{{}};
+  std::istringstream lines(table);
+  std::string last_step;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields(line);
+    Method method;
+    std::string name;
+    std::getline(fields, method.step, '\t');
+    std::getline(fields, name, '\t');
+    std::getline(fields, method.what, '\t');
+    std::getline(fields, method.source, '\t');
+    const bool is_default = method.step != last_step;
+    last_step = method.step;
+    if (is_default) continue;
+    method.setting = method.step + "=" + name;
+    method.antialiases = method.step == "antialiasing";
+    methods.push_back(method);
+  }
+  return methods;
+}
 
-}  // namespace
-
-std::vector<Method> methods_of(const conformance::Paths&) { return {methods.begin(), methods.end()}; }
+std::vector<Method> all_methods() { return methods_of_table(gouraudMethodTable()); }
 
 }  // namespace gouraud::chart

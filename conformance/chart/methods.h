@@ -1,20 +1,23 @@
-// The methods that are charted: one row each. A row is what GOURAUD_METHODS gets; the first is the default.
+// The methods that are charted: those of the library's own table, gouraudMethodTable(). A method that is added there
+// appears in the chart and in the sweeps of its step.
 #pragma once
 
-#include <string_view>
+#include <string>
 #include <vector>
-
-#include "conformance/harness/drivers.h"
 
 namespace gouraud::chart {
 
 struct Method {
-  std::string_view setting;  ///< "coverage=scanline"; empty: the default
-  std::string_view step;     ///< "coverage"
+  std::string setting;  ///< "coverage=scanline", for GOURAUD_METHODS; empty: the default
+  std::string step;     ///< "coverage"
+  std::string what, source;
   bool antialiases = false;  ///< pictures are to be judged by area coverage
 };
 
-/// Those that the library of `paths` knows.
-std::vector<Method> methods_of(const conformance::Paths& paths);
+/// The default, and one method for each row that is not its step's default.
+std::vector<Method> all_methods();
+
+/// The rows of a table as gouraudMethodTable() gives it.
+std::vector<Method> methods_of_table(const std::string& table);
 
 }  // namespace gouraud::chart

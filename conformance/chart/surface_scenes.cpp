@@ -226,14 +226,14 @@ Probe probe(std::string_view name, std::string_view shows, Drawing (*setup)(cons
 
 std::vector<ChartScene> surface_scenes() {
   return {
-      {probe("dense_mesh", "a torus of 14,400 lit triangles, two lights, highlights", dense_mesh)},
-      {probe("color_floor", "two triangles to the horizon with a colour at each corner", color_floor)},
-      {probe("checker_floor", "a checker texture to the horizon, trilinear", checker_floor)},
-      {probe("far_depths", "cards from 1 to 5,600 units away in pairs a thousandth apart, near 0.1, far 10,000", far_depths)},
-      {probe("decals", "cards in the plane of a board, lifted by polygon offset", decals)},
+      {probe("dense_mesh", "a torus of 14,400 lit triangles, two lights, highlights", dense_mesh), lit_steps},
+      {probe("color_floor", "two triangles to the horizon with a colour at each corner", color_floor), polygon_steps},
+      {probe("checker_floor", "a checker texture to the horizon, trilinear", checker_floor), polygon_steps},
+      {probe("far_depths", "cards from 1 to 5,600 units away in pairs a thousandth apart, near 0.1, far 10,000", far_depths), flat_steps},
+      {probe("decals", "cards in the plane of a board, lifted by polygon offset", decals), flat_steps},
       {probe("highlight", "a ball of 108 triangles with a highlight; the reference has the normals between the corners", highlight),
-       ReferenceKind::finer_mesh},
-      {probe("cycle", "three bars, each over the next", cycle)},
+       lit_steps, ReferenceKind::finer_mesh},
+      {probe("cycle", "three bars, each over the next", cycle), polygon_steps},
   };
 }
 

@@ -33,6 +33,7 @@
 #include "pipeline/raster/homogeneous.h"
 #include "pipeline/raster/method_triangle.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/simd/float_mode.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -140,6 +141,7 @@ struct Renderer::Implementation {
   PrimitiveRecord& bitmap_record(const PixelDraw& draw, const FragmentSource& source);
   /// Rasterizes what is pending.
   void run_bins() {
+    const IeeeFloats floats;
     bins.run();
     kept.clear();
     kept_image_bytes = 0;
@@ -536,6 +538,7 @@ void Renderer::set_observer(DrawObserver* observer) {
 void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
   Implementation& self = *implementation_;
   if (target() == nullptr) return;
+  const IeeeFloats floats;
   if (plan.reports) {
     if (self.receiver == nullptr) return;
     const VaryingLayout varyings = make_varying_layout(state, plan, batch);
@@ -558,6 +561,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
 
 ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
   Implementation& self = *implementation_;
+  const IeeeFloats floats;
   const VaryingLayout varyings = make_varying_layout(state, plan, batch);
   self.run_vertex_stages(state, plan, varyings, batch);
   ProcessedVertex result;
@@ -643,6 +647,7 @@ PlacedImage* Renderer::Implementation::keep_image(const PixelRectangle& rectangl
 void Renderer::draw_rectangle(const PixelDraw& draw, const FragmentSource& source, const PixelRectangle& rectangle) {
   Implementation& self = *implementation_;
   if (target() == nullptr) return;
+  const IeeeFloats floats;
   if (self.observer != nullptr) self.observer->rectangle(draw.state, source, rectangle);
   const PixelImage& image = *rectangle.image;
   const PlacedRectangle placed = place(rectangle, image.width_px, image.height_px, draw.state.raster.scissor);
@@ -666,6 +671,7 @@ void Renderer::draw_rectangle(const PixelDraw& draw, const FragmentSource& sourc
 void Renderer::draw_bitmap(const PixelDraw& draw, const FragmentSource& source, const Bitmap& bitmap) {
   Implementation& self = *implementation_;
   if (target() == nullptr) return;
+  const IeeeFloats floats;
   if (self.observer != nullptr) self.observer->bitmap(draw.state, source, bitmap);
   if (!draw.plan.draws) return;
   const PrimitiveRecord& record = self.bitmap_record(draw, source);
@@ -676,6 +682,7 @@ void Renderer::draw_bitmap(const PixelDraw& draw, const FragmentSource& source, 
 
 void Renderer::write_rectangle(const DirectRectangle& rectangle) {
   if (target() == nullptr) return;
+  const IeeeFloats floats;
   finish();
   implementation_->dirty = true;
   for (int sample = 0; sample < target()->samples; ++sample) {
