@@ -103,6 +103,7 @@ void copy_depths(const Context& context, const Framebuffer& source, const Copy& 
     }
     pipeline::store_depths(image, depths.data(), stencil ? stencils.data() : nullptr, width, texels.data());
     pipeline::write_texels(image, copy.to.x, copy.to.y + y, copy.to.z, copy.width, texels.data());
+    if (stencil) pipeline::write_stencils(image, copy.to.x, copy.to.y + y, copy.width, stencils.data());
   }
 }
 

@@ -88,9 +88,9 @@ Capability find_capability(AttributeGroups& groups, GLenum cap) {
     case GL_RESCALE_NORMAL:
       return {&groups.transform.rescale_normal_enabled, dirty_transform};
     case GL_SAMPLE_ALPHA_TO_COVERAGE:
-      return {&groups.multisample.alpha_to_coverage_enabled, 0};
+      return {&groups.multisample.alpha_to_coverage_enabled, dirty_raster};
     case GL_SAMPLE_ALPHA_TO_ONE:
-      return {&groups.multisample.alpha_to_one_enabled, 0};
+      return {&groups.multisample.alpha_to_one_enabled, dirty_raster};
     case GL_SAMPLE_COVERAGE:
       return {&groups.multisample.coverage_enabled, dirty_raster};
     case GL_SCISSOR_TEST:

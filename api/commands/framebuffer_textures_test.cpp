@@ -1,4 +1,6 @@
 // Textures as attachments: levels, faces, depth; the same texels for whoever samples or queries them.
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -112,6 +114,109 @@ TEST(FramebufferTextures, ShadowMapsAreDepthAlone) {
     for (const float depth : depths) ASSERT_NEAR(depth, 0.5, 1e-6);
     EXPECT_EQ(glGetError(), GL_NO_ERROR);
   }
+}
+
+// Slices of a volume are pictures of their own, and are sampled where they lie.
+TEST(FramebufferTextures, SlicesOfAVolume) {
+  const Screen screen;
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_3D, name);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  const std::vector<std::uint32_t> given(70 * 5 * 4, blue);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA8, 70, 5, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, given.data());
+  framebuffer();
+  glFramebufferTexture3D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_3D, name, 0, 2);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+  clear_to(0, 1, 0);
+  std::vector<std::uint32_t> expected = given;
+  std::fill(expected.begin() + 70 * 5 * 2, expected.begin() + 70 * 5 * 3, green);
+  EXPECT_EQ(texels(GL_TEXTURE_3D, 0, 70 * 5 * 4), expected);
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 69, 4, 3, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &green);
+  expected.back() = green;
+  EXPECT_EQ(texels(GL_TEXTURE_3D, 0, 70 * 5 * 4), expected);
+  glFramebufferTexture3D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_3D, name, 0, 4);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT) << "there is no such slice";
+
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glEnable(GL_TEXTURE_3D);
+  glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+  for (const float r : {0.6f, 0.9f}) {
+    glBegin(GL_QUADS);
+    for (const auto& [s, t] : {std::array{0.0f, 0.0f}, {1.0f, 0.0f}, {1.0f, 1.0f}, {0.0f, 1.0f}}) {
+      glTexCoord3f(s, t, r);
+      glVertex2f(2 * s - 1, 2 * t - 1);
+    }
+    glEnd();
+    std::uint32_t pixel = 0;
+    glReadPixels(9, 9, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, &pixel);
+    EXPECT_EQ(pixel, r < 0.7f ? green : blue) << r;
+  }
+}
+
+TEST(FramebufferTextures, WithoutAlphaItReadsOne) {
+  const Screen screen;
+  const GLuint name = texture_2d(GL_RGB8, GL_RGB, GL_UNSIGNED_BYTE, 8);
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+  std::uint8_t rgba[4] = {};
+  glReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  EXPECT_EQ(rgba[3], 255);
+  glClearColor(0, 1, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glReadPixels(3, 3, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  EXPECT_EQ(rgba[1], 255);
+  EXPECT_EQ(rgba[3], 255);
+}
+
+TEST(FramebufferTextures, FloatDepthWithStencil) {
+  const Screen screen;
+  struct Texel {
+    float depth;
+    std::uint32_t stencil;
+    bool operator==(const Texel&) const = default;
+  };
+  std::vector<Texel> given(64, {0.25f, 7});
+  given[9] = {0.75f, 200};
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH32F_STENCIL8, 8, 8, 0, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, given.data());
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, name, 0);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+  std::uint8_t stencil = 0;
+  glReadPixels(1, 1, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &stencil);
+  EXPECT_EQ(stencil, 200);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, 1, 1);
+  glClearStencil(33);
+  glClear(GL_STENCIL_BUFFER_BIT);
+  given[0].stencil = 33;
+  std::vector<Texel> got(64);
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, got.data());
+  EXPECT_EQ(got, given);
+  EXPECT_EQ(glGetError(), GL_NO_ERROR);
+}
+
+// Its border is part of the picture.
+TEST(FramebufferTextures, BorderedImages) {
+  const Screen screen;
+  GLuint name = 0;
+  glGenTextures(1, &name);
+  glBindTexture(GL_TEXTURE_2D, name);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 10, 10, 1, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+  framebuffer();
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(0, 0, 1, 10);
+  clear_to(0, 1, 0);
+  const auto all = texels(GL_TEXTURE_2D, 0, 100);
+  EXPECT_EQ(all[0], green);
+  EXPECT_EQ(all[1], 0u);
+  EXPECT_EQ(all[90], green);
 }
 
 TEST(FramebufferTextures, ANewImageTakesTheOldOnesPlace) {

@@ -84,6 +84,7 @@ pipeline::Image make_image(const ImageRequest& request, const StoredFormat& form
   image.format = format.texels;
   image.base_format = format.base;
   image.srgb = format.srgb;
+  image.has_stencil = format.stencil;
   image.width = request.width;
   image.height = request.height;
   image.depth = request.depth;
@@ -96,7 +97,7 @@ void set_proxy(Context& context, const ImageRequest& request, const ImageTarget&
   ProxyImage& proxy = context.texture_proxies[index_of(target.target)][static_cast<std::size_t>(request.level)];
   proxy = {};
   if (fit(request, target.target, format) != Fit::fits) return;
-  proxy = {make_image(request, format), static_cast<GLenum>(internal_format)};
+  proxy = {make_image(request, format), stored_name(static_cast<GLenum>(internal_format))};
 }
 
 std::optional<ImageTarget> check_region(Context& context, Region& region) {

@@ -1,4 +1,7 @@
 // Multisampled framebuffer objects [GL1.5 §3.2.1, §4.1.3] and clip control [ARB_clip_control].
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -129,6 +132,149 @@ TEST(Multisample, SampleCoverageLeavesSomeSamples) {
   glSampleCoverage(0, GL_FALSE);
   rectangle(0, 0, 32, 32);
   EXPECT_EQ(red_at(8, 8), 255) << "without samples it has no effect";
+}
+
+std::array<std::uint8_t, 4> pixel_at(int x, int y) {
+  std::array<std::uint8_t, 4> rgba{};
+  glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  return rgba;
+}
+
+TEST(Multisample, AlphaChoosesSamples) {
+  const float alphas[] = {0.0f, 0.1f, 0.2f, 0.4f, 0.6f, 0.7f, 0.9f, 1.0f};
+  const int covered[] = {0, 0, 1, 2, 2, 3, 4, 4};
+  const Screen screen;
+  multisampled();
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  for (int i = 0; i < 8; ++i) {
+    glColor4f(1, 0, 0, alphas[i]);
+    rectangle(4.0f * static_cast<float>(i), 0, 4.0f * static_cast<float>(i) + 4, 16);
+  }
+  glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+  for (int i = 0; i < 8; ++i) {
+    glColor4f(1, 0, 0, alphas[i]);
+    rectangle(4.0f * static_cast<float>(i), 16, 4.0f * static_cast<float>(i) + 4, 32);
+  }
+  resolve();
+  for (int i = 0; i < 8; ++i) {
+    const double share = covered[i] / 4.0;
+    EXPECT_NEAR(pixel_at(4 * i + 1, 8)[0], 255 * share, 0.51) << alphas[i];
+    EXPECT_NEAR(pixel_at(4 * i + 1, 8)[3], 255 * static_cast<double>(alphas[i]) * share, 1.01) << alphas[i];
+    EXPECT_NEAR(pixel_at(4 * i + 1, 24)[0], 255 * share, 0.51) << alphas[i];
+    EXPECT_NEAR(pixel_at(4 * i + 1, 24)[3], 255 * share, 0.51) << alphas[i];
+  }
+}
+
+TEST(Multisample, AlphaChoosesSamplesOfDepthsAndPixelImages) {
+  const Screen screen;
+  multisampled();
+  glEnable(GL_DEPTH_TEST);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  glColor4f(1, 1, 1, 0.5f);
+  rectangle(0, 0, 32, 32, -0.5f);
+  glDisable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  rectangle(0, 0, 16, 32, 0.5f);
+  glDisable(GL_DEPTH_TEST);
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  const std::uint8_t texels[2][4] = {{255, 0, 0, 64}, {255, 0, 0, 191}};
+  glRasterPos2f(0.5f, 0);
+  glDrawPixels(2, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  resolve();
+  EXPECT_EQ(pixel_at(4, 4)[0], 128) << "two samples were behind";
+  EXPECT_EQ(pixel_at(24, 16)[0], 64);
+  EXPECT_EQ(pixel_at(25, 16)[0], 191);
+}
+
+TEST(Multisample, WithoutMultisamplingAlphaChoosesNothing) {
+  const Screen screen;
+  multisampled();
+  glDisable(GL_MULTISAMPLE);
+  glEnable(GL_SAMPLE_ALPHA_TO_COVERAGE);
+  glEnable(GL_SAMPLE_ALPHA_TO_ONE);
+  glColor4f(1, 0, 0, 0.4f);
+  rectangle(0, 0, 32, 32);
+  resolve();
+  EXPECT_EQ(pixel_at(8, 8)[0], 255);
+  EXPECT_EQ(pixel_at(8, 8)[3], 102);
+}
+
+constexpr double sample_places[4][2] = {{0.375, 0.875}, {0.875, 0.625}, {0.125, 0.375}, {0.625, 0.125}};
+
+/// What the samples for which inside(x, y) holds leave red in every pixel of the window.
+template <class Inside>
+void expect_samples(const Inside& inside) {
+  for (int y = 0; y < side_px; ++y) {
+    for (int x = 0; x < side_px; ++x) {
+      int count = 0;
+      for (const auto& place : sample_places) count += inside(x + place[0], y + place[1]) ? 1 : 0;
+      ASSERT_NEAR(pixel_at(x, y)[0], 255 * count / 4.0, 0.51) << x << "," << y;
+    }
+  }
+}
+
+// [GL1.5 §3.3.2]: whether smooth or not.
+TEST(Multisample, PointsAreDiscsAndSpritesSquares) {
+  const Screen screen;
+  for (const bool sprite : {false, true}) {
+    multisampled();
+    glClear(GL_COLOR_BUFFER_BIT);
+    sprite ? glEnable(GL_POINT_SPRITE_ARB) : glDisable(GL_POINT_SPRITE_ARB);
+    glPointSize(9.7f);
+    glBegin(GL_POINTS);
+    glVertex2f(0.03125f, -0.09375f);
+    glEnd();
+    resolve();
+    const double center_x = 16.5, center_y = 14.5, half = 0.5 * 9.7f;
+    expect_samples([&](double x, double y) {
+      const double dx = x - center_x, dy = y - center_y;
+      return sprite ? std::max(std::abs(dx), std::abs(dy)) < half : dx * dx + dy * dy < half * half;
+    });
+  }
+}
+
+// [GL1.5 §3.4.4]: rectangles, whatever LINE_SMOOTH says; the stipple cuts them.
+TEST(Multisample, LinesAreRectangles) {
+  const Screen screen;
+  multisampled();
+  glLineWidth(2.5f);
+  glBegin(GL_LINES);
+  glVertex2f(-0.75f, -0.375f);
+  glVertex2f(0.5f, -0.375f);
+  glEnd();
+  glEnable(GL_LINE_STIPPLE);
+  glLineStipple(2, 0x5555);
+  glBegin(GL_LINES);
+  glVertex2f(-0.75f, 0.375f);
+  glVertex2f(0.5f, 0.375f);
+  glEnd();
+  resolve();
+  expect_samples([](double x, double y) {
+    if (x < 4 || x >= 24) return false;
+    const bool kept = static_cast<int>(x - 4) / 2 % 2 == 0;
+    return std::abs(y - 10) < 1.25 || (std::abs(y - 22) < 1.25 && kept);
+  });
+}
+
+// [GL1.5 §3.12].
+TEST(Multisample, PointsBelowTheThresholdFade) {
+  const Screen screen;
+  multisampled();
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glPointParameterf(GL_POINT_FADE_THRESHOLD_SIZE, 8);
+  glPointSize(4);
+  glBegin(GL_POINTS);
+  glVertex2f(0, 0);
+  glEnd();
+  resolve();
+  EXPECT_EQ(pixel_at(16, 16)[0], 255);
+  EXPECT_EQ(pixel_at(16, 16)[3], 64);
+  EXPECT_EQ(pixel_at(19, 16)[0], 255) << "drawn with the threshold's size";
 }
 
 TEST(ClipControl, DepthFromZeroToOne) {

@@ -141,6 +141,22 @@ std::optional<StoredFormat> find_stored_format(GLint internal_format) {
   return color ? color : find_special_format(name);
 }
 
+GLenum stored_name(GLenum internal_format) {
+  switch (internal_format) {
+    case GL_COMPRESSED_ALPHA: return GL_ALPHA;
+    case GL_COMPRESSED_LUMINANCE: return GL_LUMINANCE;
+    case GL_COMPRESSED_LUMINANCE_ALPHA: return GL_LUMINANCE_ALPHA;
+    case GL_COMPRESSED_INTENSITY: return GL_INTENSITY;
+    case GL_COMPRESSED_RGB: return GL_RGB;
+    case GL_COMPRESSED_RGBA: return GL_RGBA;
+    case GL_COMPRESSED_SRGB_EXT: return GL_SRGB_EXT;
+    case GL_COMPRESSED_SRGB_ALPHA_EXT: return GL_SRGB_ALPHA_EXT;
+    case GL_COMPRESSED_SLUMINANCE_EXT: return GL_SLUMINANCE_EXT;
+    case GL_COMPRESSED_SLUMINANCE_ALPHA_EXT: return GL_SLUMINANCE_ALPHA_EXT;
+    default: return internal_format;
+  }
+}
+
 std::span<const GLenum, compressed_format_count> compressed_formats() {
   static constexpr GLenum formats[compressed_format_count] = {GL_COMPRESSED_RGB_S3TC_DXT1_EXT, GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,
                                        GL_COMPRESSED_RGBA_S3TC_DXT5_EXT};
@@ -171,7 +187,7 @@ ComponentBits component_bits(const StoredFormat& format) {
       break;
     case BaseFormat::depth:
       bits.depth = depth_bits(format.texels);
-      bits.stencil = format.stencil && format.texels == TexelFormat::z24s8 ? 8 : 0;
+      bits.stencil = format.stencil ? 8 : 0;
       break;
   }
   return bits;

@@ -29,6 +29,10 @@ struct StoredFormat {
 /// compressed formats are stored uncompressed.
 std::optional<StoredFormat> find_stored_format(GLint internal_format);
 
+/// What the internal format of an image is called once it is stored: the base internal format in place of a generic
+/// compressed one, since nothing is compressed then [GL1.5 §3.8.1].
+GLenum stored_name(GLenum internal_format);
+
 /// What GL_COMPRESSED_TEXTURE_FORMATS lists: those without a restriction that a general program would not expect
 /// [GL1.5 §6.1.3]: not DXT1 with alpha (EXT_texture_compression_s3tc).
 inline constexpr int compressed_format_count = 3;

@@ -84,6 +84,7 @@ void upload_depths(const Context& context, const ClientImage& client, const Imag
     transferred_depth(context, client, run, depths.data());
     if (with_stencil) transferred_stencil(context, client, run, stencils.data());
     pipeline::store_depths(image, depths.data(), with_stencil ? stencils.data() : nullptr, width, out);
+    if (with_stencil) pipeline::write_stencils(image, at.x, at.y + static_cast<int>(run.y), client.size.width, stencils.data());
   });
 }
 

@@ -25,6 +25,8 @@ bool is_combine_function(GLenum function, bool of_alpha) {
       return true;
     case GL_DOT3_RGB:
     case GL_DOT3_RGBA:
+    case GL_DOT3_RGB_EXT:
+    case GL_DOT3_RGBA_EXT:
       return !of_alpha;
     default:
       return false;

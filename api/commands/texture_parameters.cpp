@@ -44,7 +44,8 @@ GLenum set_wrap(TextureParameters& p, std::size_t coordinate, GLenum mode, Textu
 
 GLenum set_level(GLint& level, GLfloat value, bool only_zero) {
   const GLint wanted = to_level(value);
-  if (wanted < 0 || (only_zero && wanted != 0)) return GL_INVALID_VALUE;
+  if (wanted < 0) return GL_INVALID_VALUE;
+  if (only_zero && wanted != 0) return GL_INVALID_OPERATION;
   level = wanted;
   return GL_NO_ERROR;
 }

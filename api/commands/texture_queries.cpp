@@ -115,6 +115,7 @@ void download(const Image& image, const ClientImage& client) {
       pipeline::read_texels(image, 0, y, z, image.width, texels.data());
       if (depth) {
         pipeline::load_depths(image, texels.data(), width, depths.data(), stencils.data());
+        if (image.stencil != nullptr) pipeline::read_stencils(image, 0, y, image.width, stencils.data());
         client.layout.kind == PixelKind::depth_stencil ? pack_depth_stencil(client, run, depths.data(), stencils.data())
                                                        : pack_depth(client, run, depths.data());
       } else if (bytes) {

@@ -28,7 +28,7 @@ void base_level_changed(Context& context, TextureObject& object, std::size_t fac
 
 void put_image(Context& context, TextureObject& object, std::size_t face, std::size_t level, pipeline::Image image,
                GLenum internal_format) {
-  ImageDescription description{internal_format, nullptr};
+  ImageDescription description{stored_name(internal_format), nullptr};
   const auto format = find_stored_format(static_cast<GLint>(internal_format));
   if (format && format->blocks && !image.empty()) description.blocks = encode_image(*format->blocks, image);
   put_image(context, object, face, level, std::move(image), std::move(description));
@@ -56,6 +56,7 @@ pipeline::Image& writable_image(Context& context, TextureObject& object, std::si
 
   pipeline::Image copy = image;
   pipeline::allocate_texels(copy);
+  copy.stencil = image.stencil;
   std::memcpy(copy.texels.get(), image.texels.get(), pipeline::texel_bytes(image));
   pipeline::Image& fresh = own_texture(object).faces[face][level];
   fresh = std::move(copy);

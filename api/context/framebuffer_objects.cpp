@@ -1,8 +1,9 @@
 // Completeness and views of framebuffer objects [ARB_framebuffer_object, "Framebuffer Completeness"].
 //
 // choice: depth and stencil of different pictures are GL_FRAMEBUFFER_UNSUPPORTED, as in Mesa: a packed plane holds both.
-// choice: a draw or read buffer without a picture makes a framebuffer incomplete, as the extension says; Mesa, which also
-// has ARB_ES2_compatibility, lets it pass.
+// deviation: a draw or read buffer without a picture does not make a framebuffer incomplete, as the extension has it: Mesa
+// (by ARB_ES2_compatibility) lets it pass, and programs that only want depth rely on it. Nothing is drawn then, and to
+// read is GL_INVALID_OPERATION.
 #include "api/context/framebuffer_objects.h"
 
 #include <algorithm>
@@ -23,8 +24,7 @@ bool is_complete(const Attachment& attachment, Renderable renderable) {
   return surface.width_px > 0 && surface.height_px > 0 && renderable(surface);
 }
 
-/// An image that could be drawn into, but not by this implementation: of one or two channels, with a border, of several
-/// slices.
+/// An image that could be drawn into, but not by this implementation: of luminance, intensity or alpha.
 bool is_supported(const Attachment& attachment) {
   if (attachment.texture == nullptr) return true;
   const pipeline::Image& image = attachment.image();
@@ -40,11 +40,6 @@ bool attachments_complete(const FramebufferObject& framebuffer) {
          is_complete(framebuffer.stencil, [](const Surface& s) { return s.has_stencil; });
 }
 
-bool names_nothing(const FramebufferObject& framebuffer, GLenum buffer) {
-  const Attachment* const attachment = framebuffer.color_attachment(buffer);
-  return attachment != nullptr && attachment->object_type() == GL_NONE;
-}
-
 }  // namespace
 
 const Attachment* FramebufferObject::color_attachment(GLenum buffer) const {
@@ -54,8 +49,7 @@ const Attachment* FramebufferObject::color_attachment(GLenum buffer) const {
 pipeline::Surface Attachment::surface() const {
   if (renderbuffer != nullptr) return renderbuffer->surface;
   if (texture == nullptr || layer >= image().depth) return {};
-  const GLenum format = texture->descriptions[face][level].internal_format;
-  return pipeline::surface_of(image(), format == GL_DEPTH_STENCIL || format == GL_DEPTH24_STENCIL8);
+  return pipeline::surface_of(image(), layer);
 }
 
 GLenum completeness(const FramebufferObject& framebuffer) {
@@ -69,8 +63,6 @@ GLenum completeness(const FramebufferObject& framebuffer) {
     any = true;
   });
   if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
-  if (names_nothing(framebuffer, framebuffer.draw_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
-  if (names_nothing(framebuffer, framebuffer.read_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
   if (!same_samples) return GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
   const bool both = framebuffer.depth.object_type() != GL_NONE && framebuffer.stencil.object_type() != GL_NONE;
   if (both && framebuffer.depth != framebuffer.stencil) return GL_FRAMEBUFFER_UNSUPPORTED;

@@ -121,7 +121,7 @@ class Advertised(unittest.TestCase):
                      "ARB_occlusion_query", "ARB_vertex_buffer_object", "EXT_draw_range_elements",
                      "EXT_rescale_normal", "EXT_separate_specular_color", "EXT_texture3D", "EXT_bgra",
                      "EXT_packed_pixels", "EXT_subtexture", "EXT_copy_texture", "EXT_texture_object",
-                     "SGIS_texture_edge_clamp", "ARB_texture_border_clamp", "ARB_texture_cube_map",
+                     "SGIS_texture_edge_clamp", "ARB_texture_border_clamp", "ARB_multisample", "ARB_texture_cube_map",
                      "ARB_texture_compression", "EXT_multi_draw_arrays", "EXT_blend_minmax"):
             self.assertTrue(EXTENSIONS.get("GL_" + name), name)
 

@@ -6,8 +6,8 @@
 
 namespace gouraud::api {
 
-pipeline::PointState point_state(const PointGroup& point);
-pipeline::LineState line_state(const LineGroup& line);
+pipeline::PointState point_state(const PointGroup& point, bool multisampled);
+pipeline::LineState line_state(const LineGroup& line, bool multisampled);
 /// `assembly` says how the faces that are drawn are drawn.
 pipeline::PolygonState polygon_state(const PolygonGroup& polygon, const pipeline::AssemblyState& assembly,
                                      bool depth_matters);

@@ -60,6 +60,8 @@ bool back_faces_drawn(const PolygonGroup& polygon) {
   return !polygon.cull_enabled || polygon.cull_face == GL_FRONT;
 }
 
+bool is_multisampled(const MultisampleGroup& group, const TargetInfo& target) { return target.samples > 0 && group.enabled; }
+
 pipeline::RasterState raster_state(const State& state, const TargetInfo& target) {
   if (const auto report = report_state(state.render_mode); report.enabled) {
     pipeline::RasterState nothing;
@@ -77,6 +79,10 @@ pipeline::RasterState raster_state(const State& state, const TargetInfo& target)
   result.polygon_stipple = polygon_stipple_state(state.polygon, state.polygon_stipple);
   result.stencil = stencil_state(state.stencil, target.stencil_mask, result.depth, back_faces_drawn(state.polygon));
   result.counts_samples = state.current_query != 0;
+  if (is_multisampled(state.multisample, target)) {
+    if (state.multisample.alpha_to_coverage_enabled) result.alpha_to_coverage = static_cast<std::uint8_t>(target.samples);
+    result.alpha_to_one = state.multisample.alpha_to_one_enabled && result.needs_colors();
+  }
   return result;
 }
 
@@ -90,7 +96,7 @@ std::uint8_t coverage_mask(const MultisampleGroup& group, int samples) {
 }
 
 pipeline::MultisampleState multisample_state(const MultisampleGroup& group, const TargetInfo& target) {
-  if (target.samples == 0 || !group.enabled) return {};
+  if (!is_multisampled(group, target)) return {};
   return {true, coverage_mask(group, target.samples)};
 }
 
@@ -169,7 +175,9 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   if (draw_state.report != old_report) dirty = dirty_all;
   if (dirty & dirty_raster) {
     draw_state.raster = raster_state(state, target);
+    const bool was_multisampled = draw_state.multisample.enabled;
     draw_state.multisample = multisample_state(state.multisample, target);
+    if (draw_state.multisample.enabled != was_multisampled) dirty |= dirty_assembly;
   }
   const bool colors_matter = draw_state.raster.needs_colors();
   if (colors_matter != old_raster.needs_colors()) dirty |= dirty_assembly | dirty_lighting | dirty_textures;
@@ -190,10 +198,12 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
     draw_state.assembly = assembly_state(state, colors_matter, draw_state.raster.stencil);
   }
   if (dirty & dirty_assembly) {
-    draw_state.points = reported ? pipeline::PointState{} : point_state(state.point);
-    draw_state.lines = reported ? pipeline::LineState{} : line_state(state.line);
+    const bool multisampled = draw_state.multisample.enabled;
+    draw_state.points = reported ? pipeline::PointState{} : point_state(state.point, multisampled);
+    draw_state.lines = reported ? pipeline::LineState{} : line_state(state.line, multisampled);
     draw_state.polygons =
         reported ? pipeline::PolygonState{} : polygon_state(state.polygon, draw_state.assembly, depth_matters);
+    if (multisampled) draw_state.polygons.smooth = false;
   }
   if (draw_state.assembly.cull != old_cull) dirty |= dirty_lighting;
 

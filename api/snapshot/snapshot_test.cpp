@@ -520,6 +520,35 @@ void add_what_no_draw_reads(std::vector<Parameter>& list) {
   list.push_back({"pack", [](State& s, Random&) { s.pack.alignment = 1; }, never});
 }
 
+/// Of a target with four samples, or without.
+bool changes(int samples, void (*change)(State&)) {
+  State state;
+  TargetInfo target;
+  target.width_px = target.height_px = 8;
+  target.format = {pipeline::ColorFormat::rgba8, pipeline::DepthFormat::none};
+  target.samples = samples;
+  const pipeline::DrawState before = snapshot_of(state, target);
+  change(state);
+  return snapshot_of(state, target) != before;
+}
+
+TEST(Multisample, ItsStateIsThatOfTargetsWithSamples) {
+  const auto expect = [](void (*change)(State&), bool of_many, bool of_one) {
+    EXPECT_EQ(changes(4, change), of_many);
+    EXPECT_EQ(changes(0, change), of_one);
+  };
+  expect([](State& s) { s.multisample.alpha_to_coverage_enabled = true; }, true, false);
+  expect([](State& s) { s.multisample.alpha_to_one_enabled = true; }, true, false);
+  expect([](State& s) { s.multisample.enabled = false; }, true, false);
+  expect([](State& s) { s.multisample.coverage_enabled = true, s.multisample.coverage_value = 0.5f; }, true, false);
+  expect([](State& s) { s.point.fade_threshold_px = 3.0f; }, true, false);
+  expect([](State& s) { s.point.fade_threshold_px = 0.5f; }, false, false);
+  expect([](State& s) { s.point.smooth_enabled = true; }, false, true);
+  expect([](State& s) { s.line.smooth_enabled = true; }, false, true);
+  expect([](State& s) { s.polygon.smooth_enabled = true; }, false, true);
+  expect([](State& s) { s.line.width_px = 1.25f; }, true, false);
+}
+
 std::vector<Parameter> all_parameters() {
   std::vector<Parameter> list;
   add_transform(list);

@@ -132,8 +132,10 @@ constexpr CombineFunction combine_function(GLenum function) {
     case GL_ADD_SIGNED: return add_signed;
     case GL_INTERPOLATE: return interpolate;
     case GL_SUBTRACT: return subtract;
-    case GL_DOT3_RGB: return dot3_rgb;
-    case GL_DOT3_RGBA: return dot3_rgba;
+    case GL_DOT3_RGB:
+    case GL_DOT3_RGB_EXT: return dot3_rgb;
+    case GL_DOT3_RGBA:
+    case GL_DOT3_RGBA_EXT: return dot3_rgba;
     default: return modulate;
   }
 }
@@ -174,7 +176,8 @@ pipeline::CombineArgument combine_argument(GLenum source, GLenum operand, int ow
 pipeline::CombineTerms combine_terms(const CombineParameters& p, int own_unit) {
   pipeline::CombineTerms terms;
   terms.function = combine_function(p.function);
-  terms.scale = p.scale;
+  // [EXT_texture_env_dot3]: its own names of the functions take no scale.
+  terms.scale = p.function == GL_DOT3_RGB_EXT || p.function == GL_DOT3_RGBA_EXT ? 1.0f : p.scale;
   for (std::size_t i = 0; i < argument_count(terms.function); ++i) {
     terms.argument[i] = combine_argument(p.source[i], p.operand[i], own_unit);
   }

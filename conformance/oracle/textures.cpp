@@ -44,7 +44,9 @@ double unorm_at(const std::byte* bytes, std::size_t index) {
 const std::byte* texel_bytes(const Image& image, int x, int y, int z) {
   const auto size = static_cast<std::size_t>(bytes_per_texel(image.format));
   if (image.tiles) {
-    const int tile_x = x / pipeline::tile_size, tile_y = y / pipeline::tile_size;
+    // The tiles of a slice follow those of the one before.
+    const int tiles_y = (image.height + pipeline::tile_size - 1) / pipeline::tile_size;
+    const int tile_x = x / pipeline::tile_size, tile_y = y / pipeline::tile_size + z * tiles_y;
     if (const auto* cleared = image.tiles->waiting_clear(tile_x, tile_y)) return reinterpret_cast<const std::byte*>(cleared->data());
     const int block = y % 64 / 8 * 8 + x % 64 / 8, lane = y % 8 * 8 + x % 8;
     return image.tiles->tile_storage(tile_x, tile_y) + static_cast<std::size_t>(block * 64 + lane) * size;

@@ -141,6 +141,7 @@ struct AssemblyState {
 inline constexpr float most_wide_px = 255.0f;
 
 /// [GL1.5 §3.3], ARB_point_sprite. Sizes are in [1, most_wide_px]; those of plain points without attenuation are whole.
+/// Where multisampled (MultisampleState), points are sampled discs: `smooth` unless sprites.
 struct PointState {
   float size_px = 1.0f;  ///< as drawn; if attenuated: before that, and > 0
   bool smooth = false;   ///< a disc with the area that it covers of each pixel; never a sprite
@@ -150,10 +151,12 @@ struct PointState {
   /// unless attenuated.
   glm::vec3 attenuation{1.0f, 0.0f, 0.0f};
   float smallest_px = 1.0f, largest_px = most_wide_px;
+  /// Multisampled points that are smaller are drawn with this size, and their alpha fades; 0 if none is.
+  float fade_threshold_px = 0.0f;
   bool operator==(const PointState&) const = default;
 };
 
-/// [GL1.5 §3.4].
+/// [GL1.5 §3.4]. Where multisampled (MultisampleState), lines are sampled rectangles: `smooth`.
 struct LineState {
   float width_px = 1.0f;  ///< in [1, most_wide_px]; whole unless smooth
   bool smooth = false;    ///< a rectangle with the area that it covers of each pixel
@@ -165,7 +168,7 @@ struct LineState {
 /// [GL1.5 §3.5.3, §3.5.5] of filled polygons, and of those drawn as lines and points. Offsets are absent (initial) if
 /// there is no depth, if no face is drawn in a mode that is offset, or if both terms are 0.
 struct PolygonState {
-  bool smooth = false;  ///< polygons that are filled
+  bool smooth = false;  ///< polygons that are filled; false where multisampled
   bool offset_fill = false, offset_line = false, offset_point = false;
   float offset_factor = 0.0f, offset_units = 0.0f;
   bool operator==(const PolygonState&) const = default;
@@ -261,7 +264,7 @@ enum class LogicOp : std::uint8_t {
 /// [GL1.5 §3.2.1, §4.1.3]. Off (all initial) unless the target has several samples and MULTISAMPLE is enabled.
 struct MultisampleState {
   bool enabled = false;  ///< each sample has its own place in the pixel; else all have the pixel's centre
-  std::uint8_t sample_mask = 0xF;  ///< bit k: sample k is drawn (SAMPLE_COVERAGE)
+  std::uint8_t sample_mask = 0xF;  ///< bit k: sample k is drawn (SAMPLE_COVERAGE); what alpha does is RasterState's
   bool operator==(const MultisampleState&) const = default;
 };
 
@@ -271,6 +274,10 @@ struct RasterState {
   PixelRect scissor{};
   DepthState depth{};
   std::uint8_t color_write_mask = 0xF;  ///< bit 0 red, 1 green, 2 blue, 3 alpha; 0 if the target has no colour
+  /// [GL1.5 §4.1.3] of a multisampled draw: among how many samples a fragment's alpha chooses (0: it does not), and
+  /// whether alpha is 1 from there on.
+  std::uint8_t alpha_to_coverage = 0;
+  bool alpha_to_one = false;
   AlphaTestState alpha_test{};
   BlendState blend{};
   /// `copy` without a logic operation, and on floating-point targets, where it has no meaning. Excludes blending.
@@ -284,7 +291,7 @@ struct RasterState {
 
   /// Whether fragments need their colour: for the target or for a test.
   bool needs_colors() const {
-    return color_write_mask != 0 || (alpha_test.enabled && alpha_test.func != CompareFunc::never);
+    return color_write_mask != 0 || alpha_to_coverage != 0 || (alpha_test.enabled && alpha_test.func != CompareFunc::never);
   }
 };
 static_assert(std::is_trivially_copyable_v<RasterState> && sizeof(RasterState) <= 512);

@@ -16,6 +16,7 @@
 #include "pipeline/fragment/depth.h"
 #include "pipeline/fragment/fog.h"
 #include "pipeline/fragment/polygon_stipple.h"
+#include "pipeline/fragment/sample_alpha.h"
 #include "pipeline/fragment/sample_count.h"
 #include "pipeline/fragment/stencil.h"
 #include "pipeline/fragment/varyings.h"
@@ -107,12 +108,12 @@ void describe_rasterization(const DrawState& state, const Line& line) {
     std::string detail = (state.points.sprite ? "sprites of size " : "size ") + describe_length(state.points.size_px);
     if (state.points.attenuated) detail += ", attenuated";
     if (state.texturing.sprite_units != 0) detail += ", with coordinates of their own";
-    line(state.points.smooth ? "smooth points" : "points", detail, "§3.3");
+    line(state.points.smooth && !state.multisample.enabled ? "smooth points" : "points", detail, "§3.3");
   }
   if (state.lines != LineState{}) {
     std::string detail = "width " + describe_length(state.lines.width_px);
     if (state.lines.stipple_pattern != 0xFFFF) detail += ", stippled";
-    line(state.lines.smooth ? "smooth lines" : "lines", detail, "§3.4.2");
+    line(state.lines.smooth && !state.multisample.enabled ? "smooth lines" : "lines", detail, "§3.4.2");
   }
   if (state.polygons.smooth) line("smooth polygons", "", "§3.5.3");
   if (state.polygons.offset_fill || state.polygons.offset_line || state.polygons.offset_point) line("polygon offset", "", "§3.5.5");
@@ -127,7 +128,7 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
 void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
   const bool has_varyings = plan.textured || plan.fog;
-  const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.alpha_test;
+  const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured;
   const auto shade = [&] {
     if (plan.colors) plan.fragment.add(color_interpolation_pass());
@@ -136,12 +137,12 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
     if (plan.secondary_color == SecondaryColor::interpolated) plan.fragment.add(color_sum_pass(target.color));
     if (plan.fog) plan.fragment.add(fog_pass(state.raster.fog.mode, target.color));
     if (plan.coverage) plan.fragment.add(coverage_pass());
+    if (plan.sample_alpha) plan.fragment.add(sample_alpha_pass(target.color));
   };
   if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
-  if (plan.alpha_test) {
-    shade();
-    plan.fragment.add(alpha_test_pass(target.color));
-  }
+  const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
+  if (shades_first) shade();
+  if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
   const FragmentPass depth_test = plan.depth ? depth_test_pass(state.raster.depth.func, target.depth) : nullptr;
   if (plan.stencil) {
     plan.fragment.add(stencil_pass(target.depth));
@@ -151,8 +152,8 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
   }
   if (plan.counts_samples) plan.fragment.add(sample_count_pass());
   if (!plan.writes_color) return;
-  const bool keeps_colors = plan.blends || plan.coverage || plan.alpha_test || has_varyings;  // between interpolation and write
-  if (keeps_colors && !plan.alpha_test) shade();
+  const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings;  // between interpolation and write
+  if (keeps_colors && !shades_first) shade();
   plan.fragment.add(keeps_colors ? blend_pass(state.raster, target.color, packed)
                                  : color_write_pass(target.color, state.raster.color_write_mask));
 }
@@ -228,6 +229,7 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   const bool writes_color = target.color != ColorFormat::none && state.raster.color_write_mask != 0 &&
                             state.raster.logic_op != LogicOp::noop && !none_passes;
   plan.alpha_test = state.raster.alpha_test.enabled;
+  plan.sample_alpha = state.raster.alpha_to_coverage != 0 || (state.raster.alpha_to_one && (writes_color || plan.alpha_test));
   plan.stencil = state.raster.stencil.enabled;
   plan.writes_stencil = plan.stencil && state.raster.stencil.writes();
   plan.counts_samples = state.raster.counts_samples && !none_passes;
@@ -238,12 +240,13 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
 
   // Which passes does that take?
   plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);
-  const bool shades = writes_color || plan.alpha_test;
+  const bool shades = writes_color || plan.alpha_test || plan.sample_alpha;
   plan.textured = shades && state.texturing.count > 0;
   plan.colors = shades && (!plan.textured || textures_read_color(state.texturing));
   plan.blends = writes_color && (state.raster.blend.enabled || state.raster.logic_op != LogicOp::copy);
   plan.polygon_stipple = state.raster.polygon_stipple.enabled;
-  plan.coverage = shades && (state.points.smooth || state.lines.smooth || state.polygons.smooth);
+  const bool smooth = state.points.smooth || state.lines.smooth || state.polygons.smooth;
+  plan.coverage = shades && ((smooth && !state.multisample.enabled) || state.points.fade_threshold_px > 0);
   plan.writes_color = writes_color;
   plan.fog = plan.writes_color && state.raster.fog.mode != FogMode::none;
   plan.secondary_color = secondary_color(state, plan);
@@ -293,9 +296,11 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     }
     if (plan.secondary_color == SecondaryColor::interpolated) line("add the secondary color", "", "§3.9");
     if (plan.fog) line("fog", modes[static_cast<std::size_t>(state.raster.fog.mode)], "§3.10");
-    if (plan.coverage) line("coverage", "", "§3.11");
+    if (plan.coverage) line(state.multisample.enabled ? "point fade" : "coverage", "", state.multisample.enabled ? "§3.12" : "§3.11");
+    if (plan.sample_alpha) line("alpha to samples", "", "§4.1.3");
   };
-  if (plan.alpha_test) describe_shading();
+  const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
+  if (shades_first) describe_shading();
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
   if (plan.stencil) line("stencil test", describe_stencil(state.raster.stencil), "§4.1.5");
   if (plan.depth) {
@@ -304,7 +309,7 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     line("depth test", detail, "§4.1.6");
   }
   if (plan.counts_samples) line("count samples", "", "§4.1.7");
-  if (!plan.alpha_test) describe_shading();
+  if (!shades_first) describe_shading();
   if (plan.blends && state.raster.blend.enabled) line("blend", describe_blending(state.raster.blend), "§4.1.8");
   if (plan.blends && !state.raster.blend.enabled) {
     line("logical operation", logic_op_names[static_cast<std::size_t>(state.raster.logic_op)], "§4.1.10");

@@ -55,6 +55,7 @@ struct Plan {
   // What becomes of fragments and their colours.
   bool polygon_stipple = false;
   bool coverage = false;  ///< of smooth points, lines or polygons
+  bool sample_alpha = false;  ///< alpha chooses samples, or becomes 1
   bool alpha_test = false;
   bool blends = false;  ///< blending or a logical operation
   bool writes_color = false;

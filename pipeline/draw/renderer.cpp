@@ -73,6 +73,7 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
   setup.flat = state.assembly.shade_model == ShadeModel::flat;
   setup.colors = plan.colors;
   setup.two_sided = plan.lighting && state.lighting.two_sided;
+  setup.sampled = state.multisample.enabled;
   setup.color_sum = plan.secondary_color == SecondaryColor::summed_at_vertices;
   setup.points = state.points;
   setup.lines = state.lines;
@@ -450,7 +451,7 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   }
   const auto& eye = vertices.position_eye;
   const float size_px = derived_point_size(setup->points, eye[0][point.vertex], eye[1][point.vertex], eye[2][point.vertex]);
-  auto* shape = setup->points.smooth ? new (bins.allocate(sizeof(SmoothShape))) SmoothShape : nullptr;
+  auto* shape = has_shape(*setup) ? new (bins.allocate(sizeof(SmoothShape))) SmoothShape : nullptr;
   const std::size_t bytes = record_size(*setup);
   void* memory = bins.allocate(bytes);
   if (!setup_point(*setup, vertices, point, size_px, memory, shape)) return bins.take_back(bytes);
@@ -497,7 +498,6 @@ constexpr std::array<std::array<float, 2>, max_samples> sample_positions{
 /// Every sample is a picture of its own [GL1.5 §3.2.1]: what is drawn is moved so that the sample stands where a pixel
 /// has its centre, and drawn as ever. So coverage, depth and colours are those of the sample's own place, and no stage
 /// after this one knows of samples.
-/// choice: lines and points are the same sets of fragments as without multisampling, each sample's in its own place.
 void Renderer::Implementation::draw_samples(const DrawState& state, const VertexBatch& batch) {
   const StippleCount stipple_before = stipple_count;
   for (std::size_t sample = 0; sample < static_cast<std::size_t>(bins.target()->samples); ++sample) {

@@ -59,9 +59,9 @@ void prefetch_depth(const WaitingTriangle& triangle, std::int32_t tile_x, std::i
 }
 
 /// The tile's pixels, for drawing: carries out the clears that wait there.
-TileTarget tile_target(const Framebuffer& target, std::int32_t tile_x, std::int32_t tile_y) {
+TileTarget tile_target(const Framebuffer& target, std::int32_t tile_x, std::int32_t tile_y, std::int32_t sample) {
   const auto pixels = [=](const TiledBuffer& plane) { return plane.empty() ? nullptr : plane.tile(tile_x, tile_y); };
-  return {pixels(target.color), pixels(target.depth), pixels(target.stencil)};
+  return {pixels(target.color), pixels(target.depth), pixels(target.stencil), sample};
 }
 
 /// True if the edge has the whole tile on its outer side.
@@ -399,7 +399,7 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
     const Entry& entry = bin[i];
     std::size_t done = 1;
     const bool draws = entry.kind != EntryKind::clear && entry.kind != EntryKind::accum;
-    if (draws && !touched) pixels = tile_target(target, tile_x, tile_y);
+    if (draws && !touched) pixels = tile_target(target, tile_x, tile_y, bin_index / tiles);
     touched = draws;
     switch (entry.kind) {
       case EntryKind::accum: accumulate_tile(target, tile, *static_cast<const AccumState*>(entry.what)); break;

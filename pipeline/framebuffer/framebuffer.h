@@ -106,10 +106,12 @@ class TiledBuffer {
     return clear.waits ? &clear.value : nullptr;
   }
 
-  /// For textures, which are read at any place by any thread: where the tiles lie one after the other, each valid behind
+  /// For textures, which are read at any place by any thread: where the tiles lie one after the other, and those of the
+  /// planes that follow, each valid behind
   /// make_readable() of its index. Several threads may make the same tile readable while nobody draws or clears.
   const std::byte* storage() const { return pixels_; }
   int tiles_per_row() const { return tiles_per_row_; }
+  int pixels_per_plane() const { return static_cast<int>(tiles_per_plane()) * pixels_per_tile; }
   void make_readable(int tile_index) const;
 
   /// False as long as every stencil value in the plane is zero: then a clear of depth alone may write whole words.

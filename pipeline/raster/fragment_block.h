@@ -19,6 +19,7 @@ struct TileTarget {
   std::byte* color = nullptr;
   std::byte* depth = nullptr;
   std::byte* stencil = nullptr;  ///< only where the depth format does not hold it
+  std::int32_t sample = 0;       ///< of a multisampled target: whose pixels these are
 };
 
 /// A block's pixels as packed bytes R, G, B, A.
@@ -39,7 +40,8 @@ struct FragmentBlock {
   /// Of each lane, covered or not, in the order of the binding's VaryingLayout; valid behind the pass that interpolates
   /// varyings. Not initialized: a block is cheap as long as nobody asks for them.
   alignas(64) std::array<std::array<float, 64>, max_varyings> varying;
-  /// What a smooth point, line or polygon covers of each pixel, in [0, 1]; valid if the plan applies coverage.
+  /// What a smooth point, line or polygon covers of each pixel, or how far a sampled point has faded, in [0, 1]; valid if
+  /// the plan applies coverage.
   alignas(64) std::array<float, 64> pixel_coverage;
 };
 

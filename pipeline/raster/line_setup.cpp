@@ -194,7 +194,16 @@ PixelRect box_of_sprite(const SetupState& state, const WindowVertex& vertex, flo
           first_sample(snap(vertex.x + half)), first_sample(top - snap(vertex.y_raster - half))};
 }
 
+/// A disc, or the square of a sprite.
+SmoothShape shape_of_point(const SetupState& state, const WindowVertex& vertex, double size_px) {
+  const double x = vertex.x, y = static_cast<double>(state.target_height_px) - vertex.y_raster, half = 0.5 * size_px;
+  if (!state.points.sprite) return {{SmoothShape::Corner{x, y}}, 0, half, state.sampled};
+  return {{SmoothShape::Corner{x - half, y - half}, {x + half, y - half}, {x + half, y + half}, {x - half, y + half}}, 4, 0.0, state.sampled};
+}
+
 }  // namespace
+
+bool has_shape(const SetupState& state) { return state.points.smooth || (state.points.sprite && state.sampled); }
 
 LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
                       StippleCount& count, void* memory, std::vector<PixelPosition>& pixels) {
@@ -290,7 +299,7 @@ bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertice
   const auto corner = [&](double along, double across) {
     return SmoothShape::Corner{x + along_x * along - along_y * across, y + along_y * along + along_x * across};
   };
-  shape = {{corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)}, 4, 0.0};
+  shape = {{corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)}, 4, 0.0, state.sampled};
   const PixelRect box = box_of(shape);
   if (intersection(box, state.scissor).empty()) return false;
   PrimitiveRecord& record = write_line_record(state, vertices, line, memory);
@@ -312,9 +321,11 @@ float derived_point_size(const PointState& points, float x, float y, float z) {
 bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, float size_px,
                  void* memory, SmoothShape* shape) {
   const WindowVertex& vertex = vertices.window[point.vertex];
+  const float drawn_px = std::max(size_px, state.points.fade_threshold_px);
   PixelRect box;
-  if (state.points.smooth) {
-    *shape = {{SmoothShape::Corner{vertex.x, static_cast<double>(state.target_height_px) - vertex.y_raster}}, 0, 0.5 * size_px};
+  if (has_shape(state)) {
+    *shape = shape_of_point(state, vertex, static_cast<double>(drawn_px));
+    shape->fade = (size_px / drawn_px) * (size_px / drawn_px);
     box = box_of(*shape);
   } else {
     box = state.points.sprite ? box_of_sprite(state, vertex, size_px) : box_of_point(state, vertex, size_px);
@@ -325,10 +336,10 @@ bool setup_point(const SetupState& state, const ProcessedVertices& vertices, con
   const TexturingState* const texturing = state.binding->texturing;
   for (unsigned units = texturing != nullptr ? texturing->sprite_units : 0; units != 0; units &= units - 1) {
     const auto unit = static_cast<std::size_t>(std::countr_zero(units));
-    run_over_sprite(state, vertex, static_cast<double>(size_px), state.binding->varyings.texture_coordinates[unit],
+    run_over_sprite(state, vertex, static_cast<double>(drawn_px), state.binding->varyings.texture_coordinates[unit],
                     *reinterpret_cast<VaryingRecord*>(varying_memory(state, memory)));
   }
-  if (state.points.smooth) record.shape = shape;
+  if (has_shape(state)) record.shape = shape;
   return true;
 }
 

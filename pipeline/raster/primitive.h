@@ -62,6 +62,9 @@ struct SmoothShape {
   std::array<Corner, 4> corner{};
   std::int32_t corner_count = 0;  ///< 0: a disc
   double radius = 0;
+  /// A pixel counts if its centre lies inside, and then the whole of it, times `fade` [GL1.5 §3.2.1, §3.12].
+  bool sampled = false;
+  float fade = 1.0f;
   bool smooth = true;  ///< fragments have their pixel_coverage
   /// Who reads it: a primitive of another method (method_triangle.h) has its own.
   ShapeRasterizer rasterize = rasterize_smooth;

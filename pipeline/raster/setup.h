@@ -27,6 +27,7 @@ struct SetupState {
   bool flat = false;
   bool colors = false;             ///< records are ColoredPrimitives
   bool two_sided = false;          ///< back faces take color_back
+  bool sampled = false;    ///< lines and points are sampled shapes, not smooth ones
   bool color_sum = false;  ///< the secondary colour is added here: where no texture stands between, the sum is linear
   PlaneTargets targets{};
   PointState points{};
@@ -184,9 +185,11 @@ bool select_point(const SetupState& state, const ProcessedVertices& vertices, co
 /// The record of a waiting point, in `record`: record_size bytes.
 void setup_waiting_point(const SetupState& state, const WaitingPoint& point, void* record);
 
-/// Sets up a point of this size [GL1.5 §3.3]: its record has a box; `shape` becomes the disc of a smooth one,
-/// and is not used by others. False if it misses the
-/// scissor box. choice: a size is rounded to the nearest integer, halves down, and the position to 1/256 pixel, halves
+/// Whether points of this draw have a shape: smooth or sampled ones.
+bool has_shape(const SetupState& state);
+
+/// Sets up a point of this size [GL1.5 §3.3]: its record has a box; `shape` becomes the disc of a smooth one or the shape of
+/// a sampled one, and is not used by others. False if it misses the scissor box. A sampled point that is too small fades. choice: a size is rounded to the nearest integer, halves down, and the position to 1/256 pixel, halves
 /// away from zero, before the pixels are found (MESA-RULES 5.4). Sprites are squares of exactly their size.
 bool setup_point(const SetupState& state, const ProcessedVertices& vertices, const AssembledPoint& point, float size_px,
                  void* record, SmoothShape* shape);

@@ -92,6 +92,33 @@ void cover_disc(const SmoothShape& shape, std::int32_t x, std::int32_t y, Areas&
   }
 }
 
+/// Whether a point lies inside: left and bottom edges own theirs.
+bool is_inside(const SmoothShape& shape, double x, double y) {
+  if (shape.corner_count == 0) {
+    const double dx = x - shape.corner[0].x, dy = y - shape.corner[0].y;
+    return dx * dx + dy * dy < shape.radius * shape.radius;
+  }
+  const auto count = static_cast<std::size_t>(shape.corner_count);
+  bool left_of_all = true, right_of_all = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Corner &from = shape.corner[i], &to = shape.corner[i + 1 < count ? i + 1 : 0];
+    const double dx = to.x - from.x, dy = to.y - from.y, side = dx * (y - from.y) - dy * (x - from.x);
+    // Seen along the edge the inside is on the left if the corners run counterclockwise, else on the right.
+    left_of_all &= side > 0 || (side == 0 && (dy < 0 || (dy == 0 && dx > 0)));
+    right_of_all &= side < 0 || (side == 0 && (dy > 0 || (dy == 0 && dx < 0)));
+  }
+  return left_of_all || right_of_all;
+}
+
+std::uint64_t sample_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage) {
+  std::uint64_t covered = 0;
+  for (std::size_t lane = 0; lane < 64; ++lane) {
+    covered |= static_cast<std::uint64_t>(is_inside(shape, x + static_cast<double>(lane % 8) + 0.5, y + static_cast<double>(lane / 8) + 0.5)) << lane;
+  }
+  coverage.fill(shape.fade);
+  return covered;
+}
+
 Areas areas_of(const SmoothShape& shape, std::int32_t x, std::int32_t y) {
   Areas area{};
   if (shape.corner_count == 0) {
@@ -137,6 +164,7 @@ struct SharedBlock {
 }  // namespace
 
 std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage) {
+  if (shape.sampled) return sample_block(shape, x, y, coverage);
   const Areas area = areas_of(shape, x, y);
   std::uint64_t covered = 0;
   for (std::size_t lane = 0; lane < 64; ++lane) {

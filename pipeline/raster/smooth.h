@@ -22,7 +22,8 @@ void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std
 void rasterize_smooth(const SmoothPolygon& polygon, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target);
 
 /// The area that the shape shares with each of the 64 pixels from (x, y) on; returns which are at least least_coverage.
-/// Exact for corners (to within rounding), to within 0.001 for discs.
+/// Exact for corners (to within rounding), to within 0.001 for discs. Of sampled shapes: which centres lie inside, with
+/// the shape's fade.
 std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage);
 
 /// The pixels that the shape can touch.

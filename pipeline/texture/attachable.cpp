@@ -1,7 +1,11 @@
 #include "pipeline/texture/attachable.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "pipeline/texture/texel_rows.h"
@@ -34,35 +38,66 @@ bool holds_stencil(const std::vector<std::byte>& words) {
   return false;
 }
 
+bool is_zero(const std::vector<std::byte>& row) {
+  return std::all_of(row.begin(), row.end(), [](std::byte byte) { return byte == std::byte{0}; });
+}
+
+/// The last of a texel's four channels becomes 1.
+void make_opaque(TexelFormat format, std::span<std::byte> texels) {
+  const auto size = static_cast<std::size_t>(bytes_per_texel(format)), channel = size / 4;
+  constexpr float one = 1.0f;
+  for (std::size_t at = size - channel; at < texels.size(); at += size) {
+    if (format == TexelFormat::rgba32f) std::memcpy(&texels[at], &one, sizeof one);
+    else std::fill_n(&texels[at], channel, std::byte{0xFF});
+  }
+}
+
+void clear_to_opaque(const Image& tiled) {
+  PixelBytes black{};
+  make_opaque(tiled.format, std::as_writable_bytes(std::span(black)));
+  for (int z = 0; z < tiled.depth; ++z) {
+    const TiledBuffer plane = tiled.tiles->plane(z);
+    for (int y = 0; y < tiled.height; y += tile_size) {
+      for (int x = 0; x < tiled.width; x += tile_size) plane.clear_tile(x / tile_size, y / tile_size, black);
+    }
+  }
+}
+
 }  // namespace
 
 bool is_attachable(const Image& image) {
+  // As the sampler counts (wrap-inl.h): tiles may take several times what the texels do.
+  constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
+  const auto up = [](std::int64_t size) { return (size + tile_size - 1) / tile_size * tile_size; };
   const bool drawable = color_format(image.format) != ColorFormat::none || depth_format(image.format) != DepthFormat::none;
-  return !image.empty() && drawable && image.border == 0 && image.depth == 1;
+  return !image.empty() && drawable && up(image.width) * up(image.height) * image.depth <= most_pixels;
 }
 
 void put_into_tiles(Image& image) {
   if (image.tiles != nullptr) return;
   Image tiled = image;
   tiled.texels = nullptr;
-  tiled.tiles = std::make_shared<TiledBuffer>(image.width, image.height, bytes_per_texel(image.format));
+  tiled.tiles = std::make_shared<TiledBuffer>(image.width, image.height, bytes_per_texel(image.format), image.depth);
+  make_stencil_plane(tiled);
+  const bool opaque = image.base_format == BaseFormat::rgb;
+  if (opaque) clear_to_opaque(tiled);
   std::vector<std::byte> row(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(bytes_per_texel(image.format)));
   bool any = false;
-  for (int y = 0; y < image.height; ++y) {
-    read_texels(image, 0, y, 0, image.width, row.data());
-    // Tiles are zero at first, without being touched: so stays an image that has no texels yet.
-    if (std::memchr(row.data(), 0, row.size()) == row.data() &&
-        std::memcmp(row.data(), row.data() + 1, row.size() - 1) == 0) {
-      continue;
+  for (int z = 0; z < image.depth; ++z) {
+    for (int y = 0; y < image.height; ++y) {
+      read_texels(image, 0, y, z, image.width, row.data());
+      // Tiles are clear at first, without being touched: so stays an image that has no texels yet.
+      if (is_zero(row)) continue;
+      if (opaque) make_opaque(image.format, row);
+      write_texels(tiled, 0, y, z, image.width, row.data());
+      any = any || (image.format == TexelFormat::z24s8 && holds_stencil(row));
     }
-    write_texels(tiled, 0, y, 0, image.width, row.data());
-    any = any || (image.format == TexelFormat::z24s8 && holds_stencil(row));
   }
   if (any) tiled.tiles->use_stencil();
   image = tiled;
 }
 
-Surface surface_of(const Image& image, bool has_stencil) {
+Surface surface_of(const Image& image, int slice) {
   Surface surface;
   surface.width_px = image.width;
   surface.height_px = image.height;
@@ -70,9 +105,10 @@ Surface surface_of(const Image& image, bool has_stencil) {
   surface.channels = image.base_format == BaseFormat::rgb ? 0b0111 : 0b1111;
   surface.depth_format = depth_format(image.format);
   surface.has_depth = surface.depth_format != DepthFormat::none;
-  surface.has_stencil = has_stencil && surface.depth_format == DepthFormat::z24s8;
+  surface.has_stencil = image.has_stencil;
   if (image.tiles == nullptr) return surface;
-  (surface.has_depth ? surface.depth : surface.color) = *image.tiles;
+  (surface.has_depth ? surface.depth : surface.color) = image.tiles->plane(slice);
+  if (image.stencil != nullptr) surface.stencil = *image.stencil;
   return surface;
 }
 

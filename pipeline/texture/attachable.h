@@ -6,14 +6,15 @@
 
 namespace gouraud::pipeline {
 
-/// Whether framebuffers can draw into such an image: it has colours of four channels or depths, no border, one slice.
+/// Whether framebuffers can draw into such an image: it has colours of three or four channels, or
+/// depths. A border is part of the picture: pixel (0, 0) is its corner.
 bool is_attachable(const Image& image);
 
 /// Puts the image's texels into tiles, where they stay: in place, so nobody else may be using it. Does nothing if they
 /// are there already. Throws std::bad_alloc, and nothing is changed. is_attachable(image).
 void put_into_tiles(Image& image);
 
-/// The image in tiles as a surface, the same pixels. `has_stencil` says that the depth words hold stencil values.
-Surface surface_of(const Image& image, bool has_stencil);
+/// A slice of the image in tiles as a surface, the same pixels.
+Surface surface_of(const Image& image, int slice);
 
 }  // namespace gouraud::pipeline

@@ -51,8 +51,10 @@ struct Image {
   std::int32_t border = 0;
   /// Rows of width texels, tightly packed, row after row, slice after slice; at least 16 readable bytes lie behind.
   std::shared_ptr<std::byte[]> texels;
-  /// In place of `texels`: the image is (or was) a framebuffer's attachment and lies in tiles; depth is 1.
+  /// In place of `texels`: the image is (or was) a framebuffer's attachment and lies in tiles, a plane a slice.
   std::shared_ptr<TiledBuffer> tiles;
+  bool has_stencil = false;              ///< of depth: with stencil values, in the words of z24s8, else in `stencil`
+  std::shared_ptr<TiledBuffer> stencil;  ///< a byte a texel; null until somebody needs it
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
 };

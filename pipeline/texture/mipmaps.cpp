@@ -116,6 +116,7 @@ Image half_size(TextureTarget target, const Image& image) {
   out.format = image.format;
   out.base_format = image.base_format;
   out.srgb = image.srgb;
+  out.has_stencil = image.has_stencil;
   out.border = image.border;
   out.width = size.width;
   out.height = size.height;

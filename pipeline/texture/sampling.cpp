@@ -27,13 +27,15 @@ struct LaneCoordinates {
 };
 
 /// Tiles that a cleared framebuffer owes its pixels (TiledBuffer) get them before they are read.
-void make_tiles_readable(const PreparedLevel& level, const std::array<AxisTexels, 3>& axis, bool linear, std::uint64_t lanes) {
+void make_tiles_readable(const PreparedLevel& level, const std::array<AxisTexels, 3>& axis, int dimensions, bool linear, std::uint64_t lanes) {
   std::int32_t last = -1;
   for (std::size_t lane = 0; lane < 64; ++lane) {
     if ((lanes >> lane & 1) == 0) continue;
-    for (int corner = 0; corner < (linear ? 4 : 1); ++corner) {
-      const std::int32_t offset = ((corner & 1) != 0 ? axis[0].second : axis[0].first)[lane] +
-                                  ((corner & 2) != 0 ? axis[1].second : axis[1].first)[lane];
+    for (int corner = 0; corner < (linear ? 1 << dimensions : 1); ++corner) {
+      std::int32_t offset = 0;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(dimensions); ++k) {
+        offset += ((corner >> k & 1) != 0 ? axis[k].second : axis[k].first)[lane];
+      }
       const std::int32_t tile = offset / pixels_per_tile;
       if (offset < 0 || tile == last) continue;
       last = tile;
@@ -57,7 +59,7 @@ HWY_INLINE void read_level(const PreparedUnit& unit, const LaneCoordinates& at, 
     if (linear) axis_texels<true>(wrap, at.coordinate[k], scale, address, lanes, axis[k]);
     else axis_texels<false>(wrap, at.coordinate[k], scale, address, lanes, axis[k]);
   }
-  if (level.tiled) make_tiles_readable(level, axis, linear, lanes);
+  if (level.tiled) make_tiles_readable(level, axis, unit.dimensions, linear, lanes);
   unit.kernel[linear ? 1 : 0](read, out);
   if (linear && unit.state.sampler.seamless && unit.state.target == TextureTarget::cube_map) {
     filter_across_seams(unit, at.face, index, at.coordinate[0], at.coordinate[1], lanes, out);

@@ -13,7 +13,7 @@ using Texel = std::array<float, 4>;  ///< R, G, B, A as the base format gives th
 
 /// Address of texel (x, y, z), counted from the image's corner, border included.
 inline std::byte* texel_address(const Image& image, int x, int y, int z) {
-  if (image.tiles) return image.tiles->pixel(x, y);
+  if (image.tiles) return z == 0 ? image.tiles->pixel(x, y) : image.tiles->plane(z).pixel(x, y);
   const auto width = static_cast<std::size_t>(image.width), height = static_cast<std::size_t>(image.height);
   const std::size_t index = (static_cast<std::size_t>(z) * height + static_cast<std::size_t>(y)) * width + static_cast<std::size_t>(x);
   return image.texels.get() + index * static_cast<std::size_t>(bytes_per_texel(image.format));

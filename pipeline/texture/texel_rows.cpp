@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <new>
 
 namespace gouraud::pipeline {
@@ -185,11 +186,18 @@ std::size_t texel_bytes(const Image& image) {
          static_cast<std::size_t>(image.depth) * static_cast<std::size_t>(bytes_per_texel(image.format));
 }
 
+void make_stencil_plane(Image& image) {
+  if (!image.has_stencil || image.format != TexelFormat::z32f || image.stencil != nullptr) return;
+  image.stencil = std::make_shared<TiledBuffer>(image.width, image.height, 1);
+}
+
 void allocate_texels(Image& image) {
   constexpr std::size_t readable_behind = 16;
   auto* const bytes = static_cast<std::byte*>(std::calloc(texel_bytes(image) + readable_behind, 1));
   if (bytes == nullptr) throw std::bad_alloc();
   image.tiles = nullptr;
+  image.stencil = nullptr;
+  make_stencil_plane(image);
   image.texels = std::shared_ptr<std::byte[]>(bytes, [](std::byte* p) { std::free(p); });
 }
 
@@ -209,9 +217,10 @@ void for_runs(const Image& image, int x, int y, int z, int count, Copy copy) {
     copy(texel_row(image, y, z) + static_cast<std::size_t>(x) * size, 0, static_cast<std::size_t>(count) * size);
     return;
   }
+  const TiledBuffer plane = image.tiles->plane(z);
   for (int done = 0; done < count;) {
     const int run = std::min(block_size - (x + done) % block_size, count - done);
-    copy(image.tiles->pixel(x + done, y), static_cast<std::size_t>(done) * size, static_cast<std::size_t>(run) * size);
+    copy(plane.pixel(x + done, y), static_cast<std::size_t>(done) * size, static_cast<std::size_t>(run) * size);
     done += run;
   }
 }
@@ -229,6 +238,17 @@ void write_texels(const Image& image, int x, int y, int z, int count, const std:
   for_runs(image, x, y, z, count, [texels](std::byte* at, std::size_t offset, std::size_t bytes) {
     std::memcpy(at, texels + offset, bytes);
   });
+}
+
+void read_stencils(const Image& image, int x, int y, int count, std::uint32_t* out) {
+  for (int i = 0; i < count; ++i) {
+    out[i] = image.stencil != nullptr ? std::to_integer<std::uint32_t>(*image.stencil->pixel_value(x + i, y)) : 0u;
+  }
+}
+
+void write_stencils(const Image& image, int x, int y, int count, const std::uint32_t* stencils) {
+  if (image.stencil == nullptr) return;
+  for (int i = 0; i < count; ++i) *image.stencil->pixel(x + i, y) = static_cast<std::byte>(stencils[i]);
 }
 
 }  // namespace gouraud::pipeline

@@ -30,8 +30,14 @@ void load_depths(const Image& image, const std::byte* texels, std::size_t count,
 std::size_t texel_bytes(const Image& image);
 /// Gives the image zeroed texels of its format and size, untiled. Throws std::bad_alloc.
 void allocate_texels(Image& image);
+/// Gives an image its plane of stencil values, zero at first, if it is to have one and lacks it. Throws std::bad_alloc.
+void make_stencil_plane(Image& image);
 /// The first byte of a row of an untiled image.
 std::byte* texel_row(const Image& image, int y, int z);
+/// Stencil values [x, x + count) of a row of an image that has a plane of them; others are left alone, and give 0.
+void read_stencils(const Image& image, int x, int y, int count, std::uint32_t* out);
+void write_stencils(const Image& image, int x, int y, int count, const std::uint32_t* stencils);
+
 /// Texels [x, x + count) of a row, as stored; the image may lie in tiles.
 void read_texels(const Image& image, int x, int y, int z, int count, std::byte* out);
 void write_texels(const Image& image, int x, int y, int z, int count, const std::byte* texels);

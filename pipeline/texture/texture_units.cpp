@@ -26,7 +26,7 @@ PreparedLevel prepare_level(const Image& image, std::int32_t dimensions) {
   }
   if (level.tiled) {
     level.texels = image.tiles->storage();
-    level.stride = {1, image.tiles->tiles_per_row(), 0};
+    level.stride = {1, image.tiles->tiles_per_row(), image.tiles->pixels_per_plane()};
   } else {
     level.texels = image.texels.get();
     level.stride = {1, image.width, image.width * image.height};

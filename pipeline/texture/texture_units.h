@@ -18,7 +18,7 @@ struct PreparedLevel {
   const std::byte* texels = nullptr;
   std::array<std::int32_t, 3> size{1, 1, 1};  ///< without border
   std::array<std::int32_t, 3> border{};       ///< width along each axis
-  std::array<std::int32_t, 3> stride{1, 0, 0};  ///< of rows; of tiles, [1] is the number of tiles in a row of them
+  std::array<std::int32_t, 3> stride{1, 0, 0};  ///< of rows; of tiles, [1] is the number of tiles in a row of them, [2] the pixels of a slice
   bool tiled = false;
   const Image* image = nullptr;
 };

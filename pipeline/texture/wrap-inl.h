@@ -140,7 +140,7 @@ HWY_INLINE bool can_leave(WrapMode mode, bool linear) {
 /// The address rule of axis k of a level.
 HWY_INLINE AxisAddress address_of(const PreparedLevel& level, std::size_t k, bool leaves) {
   AxisAddress address;
-  if (level.tiled) address.layout = k == 0 ? AxisAddress::Layout::tile_columns : AxisAddress::Layout::tile_rows;
+  if (level.tiled && k < 2) address.layout = k == 0 ? AxisAddress::Layout::tile_columns : AxisAddress::Layout::tile_rows;
   address.stride = level.stride[k];
   address.border = level.border[k];
   address.size = level.size[k];
