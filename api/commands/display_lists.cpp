@@ -33,10 +33,17 @@ const std::byte* execute_with_pixel_store(Context& context, const std::byte* pay
 }
 
 // A draw is one command: between Begin and End it does nothing but fail [GL1.5 §2.6.3].
+// choice: the current values that it leaves indeterminate [GL1.5 §2.8] stay as they were, as Mesa has it.
 const std::byte* execute_draw(Context& context, const std::byte* payload, const std::byte* next) {
-  if (!context.inside_begin_end()) return next;
-  context.record_error(GL_INVALID_OPERATION, "glCallList", "a draw from vertex arrays between glBegin and glEnd");
-  return next + *reinterpret_cast<const std::uint64_t*>(payload);
+  const std::byte* const end = next + *reinterpret_cast<const std::uint64_t*>(payload);
+  if (context.inside_begin_end()) {
+    context.record_error(GL_INVALID_OPERATION, "glCallList", "a draw from vertex arrays between glBegin and glEnd");
+    return end;
+  }
+  const CurrentGroup before = context.state.current;
+  while (next != end) next = execute_entry(context, *reinterpret_cast<const ListEntry*>(next), next + sizeof(ListEntry));
+  context.state.current = before;
+  return end;
 }
 
 // Gives the address of the entry that follows.

@@ -442,7 +442,7 @@ TEST_F(DisplayListsTest, RunWithoutColoursTakesTheCurrentOneUpToItsFirst) {
 
 TEST_F(DisplayListsTest, VertexArraysAreReadWhenTheyAreCompiled) {
   std::vector<GLfloat> positions{-1, -1, 1, -1, 1, 1, -1, 1};
-  std::vector<GLubyte> colors{255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 0, 255};
+  std::vector<GLubyte> colors{255, 0, 0, 255, 255, 0, 255, 255, 0, 0, 255, 255, 0, 0, 0, 255};  // planar: of any diagonal
   std::vector<GLushort> indices{0, 1, 2, 0, 2, 3};
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_COLOR_ARRAY);
@@ -473,6 +473,23 @@ TEST_F(DisplayListsTest, VertexArraysAreReadWhenTheyAreCompiled) {
       std::copy(kept.begin(), kept.end(), positions.begin());
     }
   }
+}
+
+TEST(DisplayLists, DrawsFromArraysLeaveTheCurrentValues) {
+  Screen screen;
+  const GLfloat colored[] = {1, 0, 0, -1, -1, 0, 0, 1, 0, 1, -1, 0, 0, 0, 1, 1, 1, 0};
+  const GLubyte indices[] = {0, 1, 2};
+  glInterleavedArrays(GL_C3F_V3F, 0, colored);
+  glNewList(1, GL_COMPILE);
+  glColor3f(0.25f, 0.5f, 0.75f);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices);
+  glEndList();
+  glCallList(1);
+  std::array<GLfloat, 4> color{};
+  glGetFloatv(GL_CURRENT_COLOR, color.data());
+  EXPECT_EQ(color, (std::array{0.25f, 0.5f, 0.75f, 1.0f}));
+  EXPECT_NE(screen.pixels()[0], 0u);
 }
 
 TEST(DisplayLists, DrawsFromArraysBetweenBeginAndEndFailAsAWhole) {

@@ -166,7 +166,7 @@ void Context::begin_primitive(PrimitiveMode mode) {
   VertexBatch& batch = immediate.batch;
   if (plan_.draws && target() != nullptr) {
     if (batch.count > pipeline::batch_capacity - least_room) draw_pending();
-    batch.primitives.push_back({mode, true, true, batch.count, 0});
+    batch.primitives.push_back({mode, true, true, batch.count, 0, false, list_nesting > 0});
     immediate.batch_modes |= mode_bit(mode);
     immediate.limit = limit_of(mode, batch.count);
     immediate.demand = plan_.vertex_demand;
@@ -190,7 +190,7 @@ void Context::continue_indexed_primitive() {
   range.ends = false;
   range.count = static_cast<std::int32_t>(batch.elements.size()) - range.first;
   draw_pending();
-  batch.primitives.push_back({immediate.mode, false, true, 0, 0, true});
+  batch.primitives.push_back({immediate.mode, false, true, 0, 0, true, list_nesting > 0});
   immediate.batch_modes = mode_bit(immediate.mode);
 }
 
@@ -216,7 +216,7 @@ bool Context::make_room_for_vertex() {
     materials[k] = material_at(batch, draw_state_.lighting.material, carried.from[k]);
   }
   draw_pending();
-  batch.primitives.push_back({immediate.mode, false, true, 0, 0});
+  batch.primitives.push_back({immediate.mode, false, true, 0, 0, false, list_nesting > 0});
   immediate.batch_modes = mode_bit(immediate.mode);
   immediate.limit = limit_of(immediate.mode, 0);
 

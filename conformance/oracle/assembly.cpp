@@ -67,14 +67,9 @@ void assemble_polygon(const PrimitiveRange& range, Assembler& out) {
   }
 }
 
-bool is_filled(const pipeline::AssemblyState& state) {
-  return state.polygon_mode_front == pipeline::PolygonMode::fill &&
-         state.polygon_mode_back == pipeline::PolygonMode::fill;
-}
-
 }  // namespace
 
-std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::AssemblyState& state) {
+std::vector<Primitive> assemble(const PrimitiveRange& range, bool diagonal_02) {
   Assembler out(range.first);
   const int n = range.count;
   switch (range.mode) {
@@ -103,7 +98,7 @@ std::vector<Primitive> assemble(const PrimitiveRange& range, const pipeline::Ass
       for (int i = 2; i < n; ++i) out.triangle(0, i - 1, i, i);
       break;
     case PrimitiveMode::quads:
-      assemble_quads(range, is_filled(state) && state.shade_model == pipeline::ShadeModel::smooth, out);
+      assemble_quads(range, diagonal_02, out);
       break;
     case PrimitiveMode::quad_strip:
       assemble_quad_strip(range, out);

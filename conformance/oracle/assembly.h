@@ -1,7 +1,7 @@
 // Takes a range of vertices, gives its points, lines and triangles as vertex numbers.
 // [GL1.5 §2.6.1] and, for the vertex that colours a flat primitive, [GL1.5 §2.14.7 Table 2.12].
-// choice: quads and polygons are split as MESA-RULES 2.5 says: smooth filled quads along the diagonal 0-2, other quads
-// along 1-3, quad strips from their first to their last vertex, polygons as fans around the first vertex.
+// choice: quads and polygons are split as MESA-RULES 2.5 says: quads as `diagonal_02` says, quad strips from their first
+// to their last vertex, polygons as fans around the first vertex.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct Primitive {
   bool continues = false;  ///< the same polygon as the triangle before
 };
 
-/// Of an indexed range, vertices are elements: resolve_elements() replaces them by the vertices that they name.
-std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, const pipeline::AssemblyState& state);
+/// `diagonal_02`: quads are split from vertex 0 to 2; else from 1 to 3. Of an indexed range, vertices are elements: resolve_elements() replaces them by the vertices that they name.
+std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, bool diagonal_02 = true);
 
 void resolve_elements(const pipeline::VertexBatch& batch, Primitive& primitive);
 

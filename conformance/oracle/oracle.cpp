@@ -26,8 +26,8 @@ template <typename T>
 class Draw {
  public:
   Draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
-       OraclePicture& picture, std::int64_t& stipple_count)
-      : state_(state), stipple_count_(stipple_count) {
+       OraclePicture& picture, Carried& carried)
+      : state_(state), stipple_count_(carried.stipple_count), clipped_quads_(carried.clipped_quads) {
     sink_.picture = &picture;
     sink_.state = state.raster;
     sink_.subpixel_bits = subpixel_bits<T>;
@@ -54,6 +54,25 @@ class Draw {
 
   /// A Begin, or the next of independent lines.
   void reset_stipple() { stipple_count_ = 0; }
+
+  /// As MESA-RULES 2.5 has it; `i` counts the batch's ranges, and must go up.
+  bool splits_quads_from_0_to_2(const std::vector<pipeline::PrimitiveRange>& ranges, std::size_t i) {
+    using pipeline::PrimitiveMode;
+    const pipeline::PrimitiveRange& range = ranges[i];
+    if (range.mode != PrimitiveMode::quads) return true;
+    if (i == 0 || ranges[i - 1].mode != PrimitiveMode::quads) {
+      clipped_quads_ = clipped_quads_ && !range.begins;
+      for (std::size_t k = i; k < ranges.size() && ranges[k].mode == PrimitiveMode::quads && !ranges[k].indexed; ++k) {
+        for (int n = ranges[k].first; n < ranges[k].first + ranges[k].count; ++n) {
+          clipped_quads_ = clipped_quads_ || !in_view_volume(vertex(n), state_.clip_planes);
+        }
+      }
+    }
+    const pipeline::AssemblyState& assembly = state_.assembly;
+    const bool filled = assembly.polygon_mode_front == PolygonMode::fill && assembly.polygon_mode_back == PolygonMode::fill;
+    const bool plain = filled && assembly.shade_model == pipeline::ShadeModel::smooth && !sink_.state.polygon_stipple.enabled;
+    return plain && !clipped_quads_ && !range.indexed && !range.from_list;
+  }
 
   void draw(const Primitive& primitive) {
     if (!primitive.continues) finish_polygon();
@@ -229,6 +248,7 @@ class Draw {
   std::vector<SmoothPart> smooth_parts_;  ///< of the smooth polygon that is being drawn
   std::vector<double> sizes_;  ///< of points at the vertices
   std::int64_t& stipple_count_;
+  bool& clipped_quads_;
 };
 
 /// Edge flags: of separate triangles, quads and polygons drawn as lines or points [GL1.5 §2.6.2].
@@ -244,11 +264,13 @@ void apply_edge_flags(const pipeline::VertexBatch& batch, const pipeline::Primit
 
 template <typename T>
 void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
-                OraclePicture& picture, std::int64_t& stipple_count) {
-  Draw<T> draw(state, batch, options, picture, stipple_count);
-  for (const pipeline::PrimitiveRange& range : batch.primitives) {
+                OraclePicture& picture, Carried& carried) {
+  Draw<T> draw(state, batch, options, picture, carried);
+  for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
+    const pipeline::PrimitiveRange& range = batch.primitives[i];
     if (range.begins) draw.reset_stipple();
-    for (Primitive& primitive : assemble(range, state.assembly)) {
+    const bool diagonal_02 = draw.splits_quads_from_0_to_2(batch.primitives, i);
+    for (Primitive& primitive : assemble(range, diagonal_02)) {
       if (range.indexed) resolve_elements(batch, primitive);
       if (range.mode == pipeline::PrimitiveMode::lines) draw.reset_stipple();
       apply_edge_flags(batch, range, state.assembly, primitive);
@@ -289,9 +311,9 @@ void Oracle::target_changed(int width_px, int height_px, int depth_bits, int /*s
 
 void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) {
   if (options_.positions == PositionModel::snapped) {
-    draw_batch<float>(state, batch, options_, picture_, stipple_count_);
+    draw_batch<float>(state, batch, options_, picture_, carried_);
   } else {
-    draw_batch<double>(state, batch, options_, picture_, stipple_count_);
+    draw_batch<double>(state, batch, options_, picture_, carried_);
   }
 }
 

@@ -99,6 +99,12 @@ struct PixelError {
 PixelError measure(const OraclePicture& picture, int x, int y, const std::array<std::uint8_t, 4>& rgba_unorm8,
                    std::uint32_t depth, bool compare_depth = true);
 
+/// What goes on where a batch was cut.
+struct Carried {
+  std::int64_t stipple_count = 0;
+  bool clipped_quads = false;
+};
+
 /// Install with gouraud::set_draw_observer. Every draw and clear is carried out at once, on the calling thread.
 class Oracle : public pipeline::DrawObserver {
  public:
@@ -121,7 +127,7 @@ class Oracle : public pipeline::DrawObserver {
  private:
   OracleOptions options_;
   OraclePicture picture_;
-  std::int64_t stipple_count_ = 0;  ///< goes on where a batch was cut
+  Carried carried_;
 };
 
 }  // namespace gouraud::oracle

@@ -164,6 +164,55 @@ void state_between_primitives(const GlTable& gl) {
   }
 }
 
+/// A quad that shows its diagonal: along the one from the first vertex it is red, along the other it is green.
+void saddle(const GlTable& gl, float x, float y) {
+  const std::array<std::array<float, 2>, 4> corners{{{6.2f, 5.4f}, {57.3f, 8.6f}, {54.1f, 55.8f}, {8.7f, 58.3f}}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    gl.Color3f(i % 2 == 0 ? 1.0f : 0.1f, i % 2 == 0 ? 0.1f : 1.0f, 0.2f);
+    gl.Vertex2f(x + corners[i][0], y + corners[i][1]);
+  }
+}
+
+// What decides on the diagonal of quads: lists, indices, stipple, and whether one of those that are drawn together is clipped.
+void quad_diagonals(const GlTable& gl) {
+  clear_background(gl);
+  pixel_space(gl, 256, 128);
+  const auto quads = [&](std::initializer_list<std::array<float, 2>> places) {
+    gl.Begin(GL_QUADS);
+    for (const auto& [x, y] : places) saddle(gl, x, y);
+    gl.End();
+  };
+  quads({{0, 64}});
+  gl.Flush();
+  quads({{64, 64}});
+  quads({{230, 0}});
+  gl.Flush();
+  gl.NewList(1, GL_COMPILE);
+  quads({{128, 64}});
+  gl.EndList();
+  gl.CallList(1);
+  gl.Flush();
+  const std::array<float, 8> corners{198, 70, 250, 73, 246, 120, 201, 122};
+  const std::array<float, 12> colors{1, 0.1f, 0.2f, 0.1f, 1, 0.2f, 1, 0.1f, 0.2f, 0.1f, 1, 0.2f};
+  const std::array<GLushort, 4> indices{0, 1, 2, 3};
+  gl.VertexPointer(2, GL_FLOAT, 0, corners.data());
+  gl.ColorPointer(3, GL_FLOAT, 0, colors.data());
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  gl.EnableClientState(GL_COLOR_ARRAY);
+  gl.DrawElements(GL_QUADS, 4, GL_UNSIGNED_SHORT, indices.data());
+  gl.Translatef(-192, -64, 0);
+  gl.DrawArrays(GL_QUADS, 0, 4);
+  gl.Translatef(192, 64, 0);
+  gl.Flush();
+  std::array<GLubyte, 128> stipple;
+  stipple.fill(0xE7);
+  gl.PolygonStipple(stipple.data());
+  gl.Enable(GL_POLYGON_STIPPLE);
+  quads({{64, 0}});
+  gl.Disable(GL_POLYGON_STIPPLE);
+  quads({{128, 0}});
+}
+
 }  // namespace
 
 SceneList begin_end_scenes() {
@@ -183,6 +232,13 @@ SceneList begin_end_scenes() {
        .width_px = 192,
        .height_px = 128,
        .draw = filled_modes},
+      {.name = "quad_diagonals",
+       .section = section,
+       .shows = "Above, quads that are split from the first vertex (red diagonal), and from the second (green), since a later "
+                "one is clipped, in a list, by indices; below from arrays, stippled, smooth again.",
+       .width_px = 256,
+       .height_px = 128,
+       .draw = quad_diagonals},
       {.name = "incomplete_primitives",
        .section = section,
        .shows = "Each mode (points at the bottom, polygons at the top) with 0 to 7 vertices from left to right: what "

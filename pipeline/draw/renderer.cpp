@@ -174,6 +174,7 @@ struct Renderer::Implementation {
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
+  bool clipped_quads = false;      ///< as well
   ProcessedVertices vertices;
 
   // Of bitmaps and pixel rectangles. Glyphs of one text share a record.
@@ -462,12 +463,17 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   smooth_parts.clear();
-  for (const PrimitiveRange& range : batch.primitives) {
+  const bool lasting_diagonal = unfilled || state.assembly.shade_model == ShadeModel::flat || state.raster.polygon_stipple.enabled;
+  for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
+    const PrimitiveRange& range = batch.primitives[i];
+    if (range.mode == PrimitiveMode::quads && (i == 0 || batch.primitives[i - 1].mode != PrimitiveMode::quads)) {
+      clipped_quads = (clipped_quads && !range.begins) || are_quads_clipped(batch, vertices, i);
+    }
+    const bool other_diagonal = lasting_diagonal || clipped_quads || range.indexed || range.from_list;
     assembled.triangles.clear();
     assembled.lines.clear();
     assembled.points.clear();
-    // choice: quads that are not filled are split like flat ones, as Mesa does: their edges then come in order.
-    assemble(range, unfilled ? ShadeModel::flat : state.assembly.shade_model, assembled);
+    assemble(range, other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, assembled);
     if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
     if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
     for (const AssembledTriangle& triangle : assembled.triangles) {

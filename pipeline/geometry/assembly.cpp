@@ -4,6 +4,7 @@
 // for the vertices it repeats. `edges` knows the decomposition alone; apply_edge_flags() adds what the application says.
 #include "pipeline/geometry/assembly.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace gouraud::pipeline {
@@ -69,11 +70,11 @@ void assemble_fan(Indices at, std::int32_t count, std::vector<AssembledTriangle>
   for (std::int32_t i = 2; i < count; ++i) *triangle++ = at.triangle(0, i - 1, i, i, all_edges);
 }
 
-void assemble_quads(Indices at, std::int32_t count, ShadeModel shade_model, std::vector<AssembledTriangle>& out) {
+void assemble_quads(Indices at, std::int32_t count, QuadDiagonal diagonal, std::vector<AssembledTriangle>& out) {
   AssembledTriangle* triangle = append(out, count / 4 * 2);
   for (std::int32_t i = 0; i + 3 < count; i += 4) {
     const std::int32_t last = i + 3;
-    if (shade_model == ShadeModel::smooth) {
+    if (diagonal == QuadDiagonal::from_0_to_2) {
       *triangle++ = at.triangle(i, i + 1, i + 2, last, edge_01 | edge_12);
       *triangle++ = at.triangle(i, i + 2, i + 3, last, edge_12 | edge_20, true);
     } else {
@@ -107,6 +108,16 @@ void assemble_polygon(Indices at, const PrimitiveRange& range, std::vector<Assem
 
 }  // namespace
 
+bool are_quads_clipped(const VertexBatch& batch, const ProcessedVertices& vertices, std::size_t i) {
+  for (; i < batch.primitives.size(); ++i) {
+    const PrimitiveRange& range = batch.primitives[i];
+    if (range.mode != PrimitiveMode::quads || range.indexed) break;
+    const auto* const first = vertices.outcode.data() + range.first;
+    if (std::any_of(first, first + range.count, [](std::uint16_t outcode) { return outcode != 0; })) return true;
+  }
+  return false;
+}
+
 void apply_edge_flags(const PrimitiveRange& range, const std::uint8_t* edge_flag, std::vector<AssembledTriangle>& triangles) {
   if (range.mode != PrimitiveMode::triangles && range.mode != PrimitiveMode::quads && range.mode != PrimitiveMode::polygon) return;
   for (AssembledTriangle& triangle : triangles) {
@@ -132,7 +143,7 @@ void resolve_elements(const std::uint16_t* elements, AssembledPrimitives& primit
   }
 }
 
-void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrimitives& out) {
+void assemble(const PrimitiveRange& range, QuadDiagonal diagonal, AssembledPrimitives& out) {
   const Indices at{range.indexed ? 0 : range.first};
   const std::int32_t count = range.count;
   switch (range.mode) {
@@ -151,7 +162,7 @@ void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrim
     case PrimitiveMode::triangle_fan:
       return assemble_fan(at, count, out.triangles);
     case PrimitiveMode::quads:
-      return assemble_quads(at, count, shade_model, out.triangles);
+      return assemble_quads(at, count, diagonal, out.triangles);
     case PrimitiveMode::quad_strip:
       return assemble_quad_strip(at, count, out.triangles);
     case PrimitiveMode::polygon:

@@ -17,13 +17,23 @@ struct AssembledPrimitives {
   std::vector<AssembledPoint> points;
 };
 
+/// Along which diagonal separate quads are split. The specification leaves it open; it shows where attributes are not
+/// planar over the quad.
+/// choice: Mesa's rule (MESA-RULES 2.5), since programs' reference pictures come from there: from vertex 1 to 3 if they
+/// are flat, not filled, stippled, indexed or from a display list, or if a vertex of the quads that are drawn together
+/// lies outside the clip volume; else from 0 to 2.
+enum class QuadDiagonal : std::uint8_t { from_0_to_2, from_1_to_3 };
+
+/// Whether a vertex of range `i`, or of the quads that follow without another primitive between, lies outside.
+bool are_quads_clipped(const VertexBatch& batch, const ProcessedVertices& vertices, std::size_t i);
+
 /// Appends the primitives of a range; vertices that complete no primitive are dropped. Vertex indices are the batch's;
 /// those of an indexed range count from its first element: resolve_elements() makes vertices of them.
 /// Provoking vertices as [GL1.5 Table 2.12]: the last of a line, triangle or quad, the first of a polygon.
 ///
-/// choice: smooth quads split into (0,1,2)+(0,2,3), flat ones into (0,1,3)+(1,2,3), as Mesa does in the plain case of
-/// each (MESA-RULES 2.5); quad strips along the diagonal from first to last vertex; polygons into a fan (i-1, i, 0).
-void assemble(const PrimitiveRange& range, ShadeModel shade_model, AssembledPrimitives& out);
+/// choice: quads split into (0,1,2)+(0,2,3) or (0,1,3)+(1,2,3); quad strips along the diagonal from first to last vertex;
+/// polygons into a fan (i-1, i, 0), as Mesa does.
+void assemble(const PrimitiveRange& range, QuadDiagonal diagonal, AssembledPrimitives& out);
 
 /// Replaces each vertex number of an indexed range's primitives by the element that it counts.
 void resolve_elements(const std::uint16_t* elements, AssembledPrimitives& primitives);

@@ -1,6 +1,7 @@
 #include "pipeline/geometry/assembly.h"
 
 #include <algorithm>
+#include <memory>
 #include <ostream>
 #include <string>
 #include <tuple>
@@ -31,9 +32,9 @@ std::string letters(const AssembledPrimitives& primitives) {
   return text.substr(0, text.empty() ? 0 : text.size() - 2);
 }
 
-std::string assembled(PrimitiveMode mode, std::int32_t count, ShadeModel shade_model = ShadeModel::smooth) {
+std::string assembled(PrimitiveMode mode, std::int32_t count, QuadDiagonal diagonal = QuadDiagonal::from_0_to_2) {
   AssembledPrimitives out;
-  assemble({mode, true, true, 0, count}, shade_model, out);
+  assemble({mode, true, true, 0, count}, diagonal, out);
   return letters(out);
 }
 
@@ -54,8 +55,22 @@ TEST(Assembly, OfSmoothQuadsHasTheDiagonalFromTheFirstVertex) {
   EXPECT_EQ(assembled(PrimitiveMode::quads, 8), "abc- d, a-cd d, efg- h, e-gh h");
 }
 
+TEST(Assembly, QuadsAreClippedTogether) {
+  auto batch = std::make_unique<VertexBatch>();
+  auto vertices = std::make_unique<ProcessedVertices>();
+  std::fill_n(vertices->outcode.begin(), 16, std::uint16_t{0});
+  for (const std::int32_t first : {0, 4, 12}) batch->primitives.push_back({PrimitiveMode::quads, true, true, first, 4});
+  batch->primitives.insert(batch->primitives.begin() + 2, {PrimitiveMode::triangle_fan, true, true, 8, 4});
+  EXPECT_FALSE(are_quads_clipped(*batch, *vertices, 0));
+  vertices->outcode[9] = vertices->outcode[15] = 1;
+  EXPECT_FALSE(are_quads_clipped(*batch, *vertices, 0)) << "those after another primitive are drawn apart";
+  EXPECT_TRUE(are_quads_clipped(*batch, *vertices, 3));
+  vertices->outcode[7] = 1;
+  EXPECT_TRUE(are_quads_clipped(*batch, *vertices, 0));
+}
+
 TEST(Assembly, OfFlatQuadsHasTheOtherDiagonal) {
-  EXPECT_EQ(assembled(PrimitiveMode::quads, 4, ShadeModel::flat), "ab-d d, bcd- d");
+  EXPECT_EQ(assembled(PrimitiveMode::quads, 4, QuadDiagonal::from_1_to_3), "ab-d d, bcd- d");
 }
 
 TEST(Assembly, OfQuadStripsTurnsEachQuadTheSameWay) {
@@ -94,8 +109,8 @@ TEST(Assembly, OfALoopOfTwoVerticesGoesThereAndBack) {
 
 TEST(Assembly, CountsVerticesFromTheRangesFirstAndAppends) {
   AssembledPrimitives out;
-  assemble({PrimitiveMode::triangles, true, true, 0, 3}, ShadeModel::smooth, out);
-  assemble({PrimitiveMode::triangle_fan, true, true, 3, 4}, ShadeModel::smooth, out);
+  assemble({PrimitiveMode::triangles, true, true, 0, 3}, QuadDiagonal::from_0_to_2, out);
+  assemble({PrimitiveMode::triangle_fan, true, true, 3, 4}, QuadDiagonal::from_0_to_2, out);
   EXPECT_EQ(letters(out), "abc c, def f, dfg g");
 }
 
@@ -129,7 +144,7 @@ Cutting cutting_of(PrimitiveMode mode) {
 }
 
 /// The primitives of `count` vertices in ranges of at most `room` vertices each; vertices named as in the whole.
-std::string assembled_in_pieces(PrimitiveMode mode, ShadeModel shade_model, std::int32_t count, std::int32_t room) {
+std::string assembled_in_pieces(PrimitiveMode mode, QuadDiagonal diagonal, std::int32_t count, std::int32_t room) {
   const Cutting cutting = cutting_of(mode);
   AssembledPrimitives whole;
   std::vector<std::uint16_t> names;  // of the range's vertices
@@ -141,7 +156,7 @@ std::string assembled_in_pieces(PrimitiveMode mode, ShadeModel shade_model, std:
     while (static_cast<std::int32_t>(names.size()) < limit && next < count)
       names.push_back(static_cast<std::uint16_t>(next++));
     AssembledPrimitives part;
-    assemble({mode, begins, next == count, 0, static_cast<std::int32_t>(names.size())}, shade_model, part);
+    assemble({mode, begins, next == count, 0, static_cast<std::int32_t>(names.size())}, diagonal, part);
     for (AssembledPoint p : part.points) whole.points.push_back({names[p.vertex], names[p.provoking], p.back});
     for (AssembledLine l : part.lines)
       whole.lines.push_back({{names[l.vertex[0]], names[l.vertex[1]]}, names[l.provoking], l.back});
@@ -155,10 +170,10 @@ std::string assembled_in_pieces(PrimitiveMode mode, ShadeModel shade_model, std:
 
 TEST(Assembly, OfRangesCutInTheMiddleEqualsTheUncutOne) {
   for (const PrimitiveMode mode : all_modes) {
-    for (const ShadeModel shade_model : {ShadeModel::smooth, ShadeModel::flat}) {
+    for (const QuadDiagonal diagonal : {QuadDiagonal::from_0_to_2, QuadDiagonal::from_1_to_3}) {
       for (std::int32_t count = 1; count <= 24; ++count) {
         for (std::int32_t room = 4; room <= 12; ++room) {
-          ASSERT_EQ(assembled_in_pieces(mode, shade_model, count, room), assembled(mode, count, shade_model))
+          ASSERT_EQ(assembled_in_pieces(mode, diagonal, count, room), assembled(mode, count, diagonal))
               << "mode " << static_cast<int>(mode) << ", " << count << " vertices in ranges of " << room;
         }
       }

@@ -44,6 +44,7 @@ struct PrimitiveRange {
   std::int32_t first = 0, count = 0;
   /// The range is [first, first + count) of VertexBatch::elements, which name the vertices: some are shared.
   bool indexed = false;
+  bool from_list = false;  ///< a display list's: see QuadDiagonal
 };
 
 /// From vertex `first` on, this material applies (glMaterial between vertices).
