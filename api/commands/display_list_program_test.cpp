@@ -52,7 +52,8 @@ class RandomProgram {
     glMaterialfv(below(2) ? GL_FRONT : GL_FRONT_AND_BACK, below(2) ? GL_DIFFUSE : GL_EMISSION, value);
   }
   void primitive() {
-    glBegin(static_cast<GLenum>(below(11)));
+    const auto mode = static_cast<GLenum>(below(11));
+    glBegin(mode == GL_QUADS ? GL_QUAD_STRIP : mode);  // lists split quads along the other diagonal (MESA-RULES 2.5)
     for (int n = below(below(8) == 0 ? 3000 : 30); n > 0; --n) vertex_value();
     if (below(4) == 0) material();
     if (below(8) == 0) glDepthFunc(GL_ALWAYS);  // an error, unless there is no Begin
