@@ -48,15 +48,32 @@ Part visible_part(Context& context, GLsizei width, GLsizei height) {
   return part;
 }
 
-/// Draws the part: `fill` gets an image of its size, and writes row `j` (counted from part.rows.first) with (image, j).
-template <class FillRow>
-void draw_part(Context& context, Part& part, PixelImageFormat format, FillRow fill_row) {
-  auto image = std::make_shared<PixelImage>(format, part.columns.count(), part.rows.count());
-  for (std::int32_t j = 0; j < image->height_px; ++j) fill_row(image->row(j), j);
+void draw_image(Context& context, Part& part, std::shared_ptr<const PixelImage> image) {
   part.place.first_column = part.columns.first;
   part.place.first_row = part.rows.first;
   part.place.image = std::move(image);
   draw_rectangle(context, part.place);
+}
+
+/// Draws the part: fill_row(out, j) writes row `j`, counted from part.rows.first.
+template <class FillRow>
+void draw_part(Context& context, Part& part, PixelImageFormat format, FillRow fill_row) {
+  auto image = std::make_shared<PixelImage>(format, part.columns.count(), part.rows.count());
+  for (std::int32_t j = 0; j < image->height_px; ++j) fill_row(image->own_row(j), j);
+  draw_image(context, part, std::move(image));
+}
+
+/// Many pixels come out of the client's memory, without a copy.
+void draw_bytes(Context& context, Part& part, const ClientImage& image, const pipeline::ByteOrder& order) {
+  const std::int32_t width = part.columns.count(), height = part.rows.count();
+  if (order == pipeline::same_order && std::int64_t{width} * height >= pipeline::many_pixels) {
+    const std::byte* const first = image.row(part.rows.first) + std::ptrdiff_t{part.columns.first} * 4;
+    const auto stride = static_cast<std::ptrdiff_t>(image.row_stride);
+    return draw_image(context, part, std::make_shared<PixelImage>(PixelImageFormat::rgba8, width, height, first, stride));
+  }
+  draw_part(context, part, PixelImageFormat::rgba8, [&](std::byte* out, std::int32_t j) {
+    unpack_bytes(image, order, {part.rows.first + j, 0, part.columns.first, width}, out);
+  });
 }
 
 /// Final conversion clamps, except for targets that store floats [GL1.5 §3.6.4].
@@ -110,11 +127,7 @@ void draw_unpacked(Context& context, const ClientImage& image, Part& part) {
     case PixelKind::color:
     case PixelKind::color_index: break;
   }
-  if (const ByteOrder order = byte_order(context, image); order.exists) {
-    return draw_part(context, part, PixelImageFormat::rgba8, [&](std::byte* out, std::int32_t j) {
-      unpack_bytes(image, order, run(j), reinterpret_cast<std::uint8_t*>(out));
-    });
-  }
+  if (const auto order = byte_order(context, image)) return draw_bytes(context, part, image, *order);
   draw_part(context, part, PixelImageFormat::rgba32f, [&](std::byte* out, std::int32_t j) {
     auto* const rgba = reinterpret_cast<float*>(out);
     transferred_color(context, image, run(j), rgba);

@@ -70,6 +70,35 @@ TEST_P(PixelRectangles, LandAtTheRasterPosition) {
   }
 }
 
+TEST_P(PixelRectangles, OfManyPixelsAreTheirRows) {
+  constexpr int width = 400, height = 260;
+  std::vector<std::uint32_t> large(width * height);
+  ASSERT_TRUE(driver.MakeCurrent(context.get(), large.data(), GL_UNSIGNED_BYTE, width, height));
+  gl.Viewport(0, 0, width, height);
+  gl.LoadIdentity();
+  gl.Ortho(0, width, 0, height, -1, 1);
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(7, 5, width - 20, height - 9);
+  const auto pixels = numbered(width, height);
+  const auto picture = [&](GLenum format, bool whole) {
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Color3f(1, 0, 0);
+    gl.Rectf(0, 0, 90, 200);
+    for (int y = 0; y < height; y += whole ? height : 1) {
+      gl.RasterPos2i(0, y);
+      gl.Bitmap(0, 0, 0, 0, 13, -2, nullptr);  // may lie below the window
+      gl.DrawPixels(width, whole ? height : 1, format, GL_UNSIGNED_BYTE, pixels.data() + y * width);
+    }
+    gl.Color3f(0, 1, 0);
+    gl.Rectf(50, 100, 300, 120);
+    std::vector<std::uint32_t> result(width * height);
+    gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, result.data());
+    return result;
+  };
+  for (const GLenum format : {GL_RGBA, GL_BGRA}) EXPECT_EQ(picture(format, true), picture(format, false));
+  ASSERT_TRUE(driver.MakeCurrent(context.get(), buffer.data(), GL_UNSIGNED_BYTE, side, side));
+}
+
 TEST_P(PixelRectangles, AreZoomedAndMirrored) {
   const auto pixels = numbered(6, 5);
   for (const auto& [zx, zy] : {std::array{2, 3}, std::array{-2, 3}, std::array{4, -1}, std::array{-1, -1}}) {

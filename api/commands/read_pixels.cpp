@@ -20,16 +20,19 @@
 namespace gouraud::api {
 namespace {
 
+using pipeline::ByteOrder;
 using pipeline::ColorFormat;
 using pipeline::DepthFormat;
 using pipeline::Framebuffer;
-using pipeline::PackedLayout;
 
 /// A rectangle inside the target, and its first pixel's place in the image.
 struct Transfer {
   int x = 0, y = 0, width = 0, height = 0;
   GLsizei first = 0, first_row = 0;
 
+  std::byte* first_pixel(const ClientImage& image) const {
+    return image.row(first_row) + static_cast<std::size_t>(first) * image.layout.pixel_bytes;
+  }
   PixelRun run(int row) const { return {first_row + row, 0, first, width}; }
 };
 
@@ -43,16 +46,19 @@ Transfer clipped(const Framebuffer& target, GLint x, GLint y, GLsizei width, GLs
           static_cast<int>(y1 - y0), static_cast<GLsizei>(x0 - x), static_cast<GLsizei>(y0 - y)};
 }
 
-// The formats that the target's bytes give at once.
-std::optional<PackedLayout> direct_layout(const Framebuffer& target, const ClientImage& image) {
-  if (target.color_format != ColorFormat::rgba8 || image.layout.element != ElementType::unsigned_byte) return std::nullopt;
-  using Channels = std::array<std::uint8_t, 4>;
-  const Channels& channel = image.layout.channel;
-  if (image.layout.element_count == 4 && channel == Channels{0, 1, 2, 3}) return PackedLayout::rgba8;
-  if (image.layout.element_count == 4 && channel == Channels{2, 1, 0, 3}) return PackedLayout::bgra8;
-  if (image.layout.element_count == 3 && channel == Channels{0, 1, 2, 0}) return PackedLayout::rgb8;
-  if (image.layout.element_count == 3 && channel == Channels{2, 1, 0, 0}) return PackedLayout::bgr8;
-  return std::nullopt;
+// How pixels are made of the target's bytes, where nothing else is done to them.
+std::optional<ByteOrder> direct_order(const Framebuffer& target, const ClientImage& image) {
+  const PixelLayout& layout = image.layout;
+  const bool bytes = layout.element == ElementType::unsigned_byte;
+  const bool words = layout.element == ElementType::packed_int && layout.field[0].bits == 8;
+  if (target.color_format != ColorFormat::rgba8 || !(bytes || words)) return std::nullopt;
+  ByteOrder order;
+  for (std::size_t c = 0; c < layout.element_count; ++c) {
+    if (layout.channel[c] == channel_luminance) return std::nullopt;
+    const std::size_t in_word = layout.field[c].shift / 8u;
+    order.source[bytes ? c : image.swap_bytes ? 3 - in_word : in_word] = static_cast<std::int8_t>(layout.channel[c]);
+  }
+  return order;
 }
 
 // After pixel transfer colours are clamped, unless the target stores floats [GL1.5 §4.3.2].
@@ -74,11 +80,10 @@ void read_transferred_color(const Context& context, const Framebuffer& target, c
 
 void read_color(const Context& context, const Framebuffer& target, const Transfer& transfer, const ClientImage& image) {
   const bool transfers = transfers_color(context.state.pixel.transfer);
-  const auto layout = transfers ? std::nullopt : direct_layout(target, image);
-  if (layout) {
-    std::byte* const out = image.row(transfer.first_row) + static_cast<std::size_t>(transfer.first) * image.layout.pixel_bytes;
-    return pack_color_rows(target, *layout, transfer.x, transfer.y, transfer.width, transfer.height, out,
-                           static_cast<std::ptrdiff_t>(image.row_stride));
+  const auto order = transfers ? std::nullopt : direct_order(target, image);
+  if (order) {
+    return pack_bytes(target, *order, image.layout.pixel_bytes, transfer.x, transfer.y, transfer.width, transfer.height,
+                      transfer.first_pixel(image), static_cast<std::ptrdiff_t>(image.row_stride));
   }
   const bool wants_bytes = image.layout.element == ElementType::unsigned_byte;
   if (transfers || !(target.color_format == ColorFormat::rgba8 || wants_bytes)) {
@@ -103,6 +108,10 @@ void read_other(const Context& context, const Framebuffer& target, const Transfe
   const bool transfers = transfers_depth(context.state.pixel.transfer);
   const bool fixed = image.layout.kind == PixelKind::depth && image.layout.element == ElementType::unsigned_int &&
                      target.depth_format != DepthFormat::z32f && !transfers;
+  if (image.layout.kind == PixelKind::depth && image.layout.element == ElementType::floating && !transfers && !image.swap_bytes) {
+    return read_depth_rows_float(target, transfer.x, transfer.y, transfer.width, transfer.height, transfer.first_pixel(image),
+                                 static_cast<std::ptrdiff_t>(image.row_stride));
+  }
   std::vector<double> depths(count);
   std::vector<std::uint32_t> words(count);
   for (int i = 0; i < transfer.height; ++i) {

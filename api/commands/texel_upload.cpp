@@ -1,6 +1,6 @@
 #include "api/commands/texel_upload.h"
 
-#include <cstring>
+#include <optional>
 #include <vector>
 
 #include "api/commands/unpack_rows.h"
@@ -10,8 +10,8 @@ namespace gouraud::api {
 namespace {
 
 using pipeline::BaseFormat;
+using pipeline::ByteOrder;
 using pipeline::Image;
-using pipeline::TexelFormat;
 
 /// Calls write(run, out) for each row of the client's image, `out` being its texels' place; rows of an image in tiles
 /// go by way of a buffer.
@@ -34,44 +34,37 @@ void for_rows(const ClientImage& client, const Image& image, const TexelPosition
   }
 }
 
-/// True if pixels are stored just as they are.
-bool same_bytes(const ClientImage& client, const ByteOrder& order, const Image& image) {
-  using Order = std::array<std::int8_t, 4>;
-  const int bytes = client.layout.pixel_bytes;
+/// How texels are made of pixels, where both are bytes.
+struct TexelBytes {
+  ByteOrder order;
+  int count = 0;  ///< of a texel
+};
+std::optional<TexelBytes> texel_bytes(const ByteOrder& rgba, const Image& image) {
+  if (!pipeline::has_byte_channels(image.format)) return std::nullopt;
   switch (image.base_format) {
-    case BaseFormat::alpha: return image.format == TexelFormat::r8 && bytes == 1 && order.source[3] == 0;
+    case BaseFormat::alpha: return TexelBytes{{{rgba.source[3]}}, 1};
     case BaseFormat::luminance:
-    case BaseFormat::intensity: return image.format == TexelFormat::r8 && bytes == 1 && order.source[0] == 0;
-    case BaseFormat::luminance_alpha:
-      return image.format == TexelFormat::rg8 && bytes == 2 && order.source[0] == 0 && order.source[3] == 1;
-    case BaseFormat::rgba:
-      return image.format == TexelFormat::rgba8 && bytes == 4 && order.source == Order{0, 1, 2, 3};
-    default: return false;
+    case BaseFormat::intensity: return TexelBytes{{{rgba.source[0]}}, 1};
+    case BaseFormat::luminance_alpha: return TexelBytes{{{rgba.source[0], rgba.source[3]}}, 2};
+    case BaseFormat::rgb: return TexelBytes{{{rgba.source[0], rgba.source[1], rgba.source[2], ByteOrder::full}}, 4};
+    case BaseFormat::rgba: return TexelBytes{rgba, 4};
+    case BaseFormat::depth: break;
   }
+  return std::nullopt;
 }
 
 void upload_bytes(const ClientImage& client, const ByteOrder& order, const Image& image, const TexelPosition& at) {
   const auto width = static_cast<std::size_t>(client.size.width);
-  if (same_bytes(client, order, image)) {
-    const std::size_t bytes = width * client.layout.pixel_bytes;
-    for_rows(client, image, at,
-             [&](const PixelRun& run, std::byte* out) { std::memcpy(out, client.row(run.y, run.z), bytes); });
-    return;
-  }
-  if (image.format == TexelFormat::rgba8) {
-    const bool drops_alpha = image.base_format == BaseFormat::rgb && order.source[3] != ByteOrder::full;
-    for_rows(client, image, at, [&](const PixelRun& run, std::byte* out) {
-      auto* const rgba = reinterpret_cast<std::uint8_t*>(out);
-      unpack_bytes(client, order, run, rgba);
-      if (!drops_alpha) return;
-      for (std::size_t i = 0; i < width; ++i) rgba[4 * i + 3] = 255;
+  if (const auto texel = texel_bytes(order, image)) {
+    const pipeline::ByteArrangement how(texel->order, client.layout.pixel_bytes, texel->count);
+    return for_rows(client, image, at, [&](const PixelRun& run, std::byte* out) {
+      pipeline::arrange_bytes(how, client.row(run.y, run.z), width, out);
     });
-    return;
   }
-  std::vector<std::uint8_t> rgba(4 * width);
+  std::vector<std::byte> rgba(4 * width);
   for_rows(client, image, at, [&](const PixelRun& run, std::byte* out) {
     unpack_bytes(client, order, run, rgba.data());
-    pipeline::store_colors(image, rgba.data(), width, out);
+    pipeline::store_colors(image, reinterpret_cast<const std::uint8_t*>(rgba.data()), width, out);
   });
 }
 
@@ -92,9 +85,7 @@ void upload_depths(const Context& context, const ClientImage& client, const Imag
 
 void upload(const Context& context, const ClientImage& client, const Image& image, const TexelPosition& at) {
   if (image.base_format == BaseFormat::depth) return upload_depths(context, client, image, at);
-  if (const ByteOrder order = byte_order(context, client); order.exists) {
-    return upload_bytes(client, order, image, at);
-  }
+  if (const auto order = byte_order(context, client)) return upload_bytes(client, *order, image, at);
   const auto width = static_cast<std::size_t>(client.size.width);
   std::vector<float> rgba(4 * width);
   for_rows(client, image, at, [&](const PixelRun& run, std::byte* out) {

@@ -13,6 +13,8 @@
 namespace gouraud::api {
 namespace {
 
+using pipeline::ByteOrder;
+
 static_assert(std::endian::native == std::endian::little, "bytes of packed words are counted from the low end");
 
 template <class T>
@@ -217,14 +219,14 @@ void transferred_depth(const Context& context, const ClientImage& image, const P
   }
 }
 
-ByteOrder byte_order(const Context& context, const ClientImage& image) {
+std::optional<ByteOrder> byte_order(const Context& context, const ClientImage& image) {
   const PixelLayout& layout = image.layout;
   const bool bytes = layout.element == ElementType::unsigned_byte;
   const bool words = layout.element == ElementType::packed_int && layout.field[0].bits == 8;
-  if (layout.kind != PixelKind::color || !(bytes || words)) return {};
-  if (transfers_color(context.state.pixel.transfer)) return {};
+  if (layout.kind != PixelKind::color || !(bytes || words)) return std::nullopt;
+  if (transfers_color(context.state.pixel.transfer)) return std::nullopt;
 
-  ByteOrder order{{ByteOrder::zero, ByteOrder::zero, ByteOrder::zero, ByteOrder::full}, true};
+  ByteOrder order{{ByteOrder::zero, ByteOrder::zero, ByteOrder::zero, ByteOrder::full}};
   for (std::size_t c = 0; c < layout.element_count; ++c) {
     int place = bytes ? static_cast<int>(c) : layout.field[c].shift / 8;
     if (words && image.swap_bytes) place = 3 - place;
@@ -238,80 +240,9 @@ ByteOrder byte_order(const Context& context, const ClientImage& image) {
   return order;
 }
 
-namespace {
-
-template <std::size_t bytes, int r, int g, int b, int a>
-void arrange(const std::uint8_t* in, std::size_t pixels, std::uint8_t* rgba) {
-  for (std::size_t i = 0; i < pixels; ++i, in += bytes, rgba += 4) {
-    rgba[0] = r >= 0 ? in[r >= 0 ? r : 0] : std::uint8_t{0};
-    rgba[1] = g >= 0 ? in[g >= 0 ? g : 0] : std::uint8_t{0};
-    rgba[2] = b >= 0 ? in[b >= 0 ? b : 0] : std::uint8_t{0};
-    rgba[3] = a >= 0 ? in[a >= 0 ? a : 0] : std::uint8_t{255};
-  }
-}
-
-/// R and B of a word of R, G, B, A change places.
-constexpr std::uint32_t swapped_rb(std::uint32_t word) {
-  return (word & 0xFF00FF00u) | (word >> 16 & 0xFFu) | (word & 0xFFu) << 16;
-}
-
-/// B, G, R, A to R, G, B, A. Sixteen at a time, so that compilers use vectors.
-void arrange_bgra(const std::uint8_t* in, std::size_t pixels, std::uint8_t* rgba) {
-  constexpr std::size_t piece = 16;
-  std::uint32_t from[piece], to[piece];
-  for (; pixels >= piece; pixels -= piece, in += sizeof(from), rgba += sizeof(to)) {
-    std::memcpy(from, in, sizeof(from));
-    for (std::size_t i = 0; i < piece; ++i) to[i] = swapped_rb(from[i]);
-    std::memcpy(rgba, to, sizeof(to));
-  }
-  arrange<4, 2, 1, 0, 3>(in, pixels, rgba);
-}
-
-/// R, G, B, or B, G, R, to R, G, B, A: four pixels are three words.
-template <bool bgr>
-void arrange_rgb(const std::uint8_t* in, std::size_t pixels, std::uint8_t* rgba) {
-  for (; pixels >= 4; pixels -= 4, in += 12, rgba += 16) {
-    std::uint32_t w[3];
-    std::memcpy(w, in, sizeof(w));
-    std::uint32_t out[4] = {w[0], w[0] >> 24 | w[1] << 8, w[1] >> 16 | w[2] << 16, w[2] >> 8};
-    for (std::uint32_t& word : out) word = (bgr ? swapped_rb(word) : word) | 0xFF000000u;
-    std::memcpy(rgba, out, sizeof(out));
-  }
-  bgr ? arrange<3, 2, 1, 0, ByteOrder::full>(in, pixels, rgba) : arrange<3, 0, 1, 2, ByteOrder::full>(in, pixels, rgba);
-}
-
-using Order = std::array<std::int8_t, 4>;
-constexpr std::int8_t none = ByteOrder::zero, full = ByteOrder::full;
-
-void arrange_any(const std::uint8_t* in, std::size_t bytes, const Order& source, std::size_t pixels, std::uint8_t* rgba) {
-  for (std::size_t i = 0; i < pixels; ++i, in += bytes) {
-    for (const std::int8_t place : source) *rgba++ = place >= 0 ? in[place] : place == full ? 255 : 0;
-  }
-}
-
-}  // namespace
-
-void unpack_bytes(const ClientImage& image, const ByteOrder& order, const PixelRun& run, std::uint8_t* rgba) {
-  const auto pixels = static_cast<std::size_t>(run.count);
-  const auto* const in = reinterpret_cast<const std::uint8_t*>(first_of(image, run));
-  const std::size_t bytes = image.layout.pixel_bytes;
-  if (bytes == 4 && order.source == Order{0, 1, 2, 3}) {
-    std::memcpy(rgba, in, pixels * 4);
-  } else if (bytes == 4 && order.source == Order{2, 1, 0, 3}) {
-    arrange_bgra(in, pixels, rgba);
-  } else if (bytes == 3 && order.source == Order{0, 1, 2, full}) {
-    arrange_rgb<false>(in, pixels, rgba);
-  } else if (bytes == 3 && order.source == Order{2, 1, 0, full}) {
-    arrange_rgb<true>(in, pixels, rgba);
-  } else if (bytes == 1 && order.source == Order{0, 0, 0, full}) {
-    arrange<1, 0, 0, 0, full>(in, pixels, rgba);
-  } else if (bytes == 2 && order.source == Order{0, 0, 0, 1}) {
-    arrange<2, 0, 0, 0, 1>(in, pixels, rgba);
-  } else if (bytes == 1 && order.source == Order{none, none, none, 0}) {
-    arrange<1, none, none, none, 0>(in, pixels, rgba);
-  } else {
-    arrange_any(in, bytes, order.source, pixels, rgba);
-  }
+void unpack_bytes(const ClientImage& image, const ByteOrder& order, const PixelRun& run, std::byte* rgba) {
+  const pipeline::ByteArrangement how(order, image.layout.pixel_bytes, 4);
+  pipeline::arrange_bytes(how, first_of(image, run), static_cast<std::size_t>(run.count), rgba);
 }
 
 }  // namespace gouraud::api

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "api/commands/client_pixels.h"
+#include "pipeline/framebuffer/byte_orders.h"
 
 namespace gouraud::api {
 
@@ -31,16 +33,11 @@ void transferred_stencil(const Context& context, const ClientImage& image, const
 /// Depths after pixel transfer, not clamped.
 void transferred_depth(const Context& context, const ClientImage& image, const PixelRun& run, double* depths);
 
-/// How to get R, G, B, A bytes out of a pixel's bytes: each from this byte, or a constant.
-struct ByteOrder {
-  static constexpr std::int8_t zero = -1, full = -2;
-  std::array<std::int8_t, 4> source{};
-  bool exists = false;
-};
-/// The short road: exists if pixels are unsigned bytes (or words packed of them) and no pixel transfer changes them.
-ByteOrder byte_order(const Context& context, const ClientImage& image);
+/// The short road: how to get bytes R, G, B, A out of a pixel's bytes, if pixels are unsigned bytes (or words packed of
+/// them) and no pixel transfer changes them.
+std::optional<pipeline::ByteOrder> byte_order(const Context& context, const ClientImage& image);
 /// Four bytes a pixel: R, G, B, A.
-void unpack_bytes(const ClientImage& image, const ByteOrder& order, const PixelRun& run, std::uint8_t* rgba);
+void unpack_bytes(const ClientImage& image, const pipeline::ByteOrder& order, const PixelRun& run, std::byte* rgba);
 
 /// One byte a pixel, 0 or 1, of an image of bits.
 void unpack_bits(const ClientImage& image, const PixelRun& run, std::uint8_t* bits);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "pipeline/fragment/color_write.h"
 #include "pipeline/framebuffer/write.h"
 
 namespace gouraud::pipeline {
@@ -58,6 +59,20 @@ void write_rectangle(const Framebuffer& target, const DirectRectangle& rectangle
     write_stencil_row(target, placed.columns.begin, y, count, stencils.data(), rectangle.stencil_write_mask);
     if (rectangle.depths != nullptr) write_depth_row(target, placed.columns.begin, y, count, depths.data());
   }
+}
+
+bool is_plain(const Plan& plan, const Framebuffer& target, const PixelImage& image, const PlacedRectangle& placed) {
+  const FragmentPasses& passes = plan.fragment;
+  return image.format == PixelImageFormat::rgba8 && target.color_format == ColorFormat::rgba8 && target.samples == 1 &&
+         passes.count == 1 && passes.pass[0] == color_write_pass(ColorFormat::rgba8, 0xF) && plan.colors &&
+         placed.columns.source.empty() && placed.rows.source.empty() &&
+         std::int64_t{image.width_px} * image.height_px >= many_pixels;
+}
+
+void write_colors(const Framebuffer& target, const PixelImage& image, const PlacedRectangle& placed) {
+  const AxisMap &columns = placed.columns, &rows = placed.rows;
+  write_color_rows(target, columns.begin, rows.begin, columns.end - columns.begin, rows.end - rows.begin,
+                   image.row(rows.first_source) + std::ptrdiff_t{columns.first_source} * 4, image.row_bytes);
 }
 
 std::shared_ptr<const float[]> depths_in_units(const PixelImage& image, DepthFormat format) {

@@ -46,6 +46,11 @@ struct PlacedRectangle {
 };
 PlacedRectangle place(const PixelRectangle& rectangle, std::int32_t width_px, std::int32_t height_px, const PixelRect& clip);
 
+/// Whether the image's bytes are the target's, and so many that it pays to write them past the tiles: behind all that waits
+/// there.
+bool is_plain(const Plan& plan, const Framebuffer& target, const PixelImage& image, const PlacedRectangle& placed);
+void write_colors(const Framebuffer& target, const PixelImage& image, const PlacedRectangle& placed);
+
 /// An image of depths in the units of the target's depth buffer.
 std::shared_ptr<const float[]> depths_in_units(const PixelImage& image, DepthFormat format);
 

@@ -38,8 +38,9 @@
 namespace gouraud::pipeline {
 namespace {
 
-/// So much memory of images may wait for the tiles.
-constexpr std::size_t image_bytes_limit = std::size_t{64} << 20;
+/// So much memory of images may wait for the tiles. No more than stays in a cache and in the allocator's hands: ten images
+/// of a whole screen, 8 MiB each, take 66 ms if all of them wait, in pages that the system makes and takes back.
+constexpr std::size_t image_bytes_limit = std::size_t{1} << 20;
 
 /// What multiplies a depth in [0, 1] to give buffer units.
 double depth_scale(DepthFormat format) {
@@ -631,11 +632,11 @@ PlacedImage* Renderer::Implementation::keep_image(const PixelRectangle& rectangl
   if (image.format == PixelImageFormat::depth) {
     const std::shared_ptr<const float[]> units = depths_in_units(image, bins.target()->depth_format);
     result->pixels = reinterpret_cast<const std::byte*>(units.get());
-    result->row_bytes = width * sizeof(float);
+    result->row_bytes = static_cast<std::ptrdiff_t>(width * sizeof(float));
     kept.push_back(units);
   } else {
-    result->pixels = image.data.get();
-    result->row_bytes = width * bytes_per_pixel(image.format);
+    result->pixels = image.first_row;
+    result->row_bytes = image.row_bytes;
     kept.push_back(rectangle.image);
   }
   const auto table = [&](const AxisMap& axis, std::int32_t& begin) -> const std::int32_t* {
@@ -659,8 +660,12 @@ void Renderer::draw_rectangle(const PixelDraw& draw, const FragmentSource& sourc
   const PlacedRectangle placed = place(rectangle, image.width_px, image.height_px, draw.state.raster.scissor);
   if (!draw.plan.draws || placed.empty()) return;
 
-  self.prepare_fragments(draw, source, self.keep_image(rectangle, placed));
   self.dirty = true;
+  if (is_plain(draw.plan, *target(), image, placed)) {
+    self.run_bins();
+    return write_colors(*target(), image, placed);
+  }
+  self.prepare_fragments(draw, source, self.keep_image(rectangle, placed));
   const PixelRect box{placed.columns.begin, placed.rows.begin, placed.columns.end, placed.rows.end};
   PrimitiveRecord& record = setup_fragments(*self.setup, self.vertices, box, self.bins.allocate(record_size(*self.setup)));
   if (image.format == PixelImageFormat::depth) {
@@ -670,8 +675,13 @@ void Renderer::draw_rectangle(const PixelDraw& draw, const FragmentSource& sourc
     color.variation = ColorVariation::image;
     color.base[0] = self.setup->targets.color_scale;
   }
-  self.add_to_samples(draw.state, [&] { self.bins.add_polygon(record); });
-  if (self.bins.full() || self.kept_image_bytes > image_bytes_limit) self.run_bins();
+  try {
+    self.add_to_samples(draw.state, [&] { self.bins.add_polygon(record); });
+  } catch (...) {  // no memory; what refers to the image must not outlive this call
+    if (image.borrowed()) self.run_bins();
+    throw;
+  }
+  if (self.bins.full() || self.kept_image_bytes > image_bytes_limit || image.borrowed()) self.run_bins();
 }
 
 void Renderer::draw_bitmap(const PixelDraw& draw, const FragmentSource& source, const Bitmap& bitmap) {

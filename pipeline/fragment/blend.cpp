@@ -1,5 +1,6 @@
 // Takes a block with its colours, gives pixels. A block is blended in steps, each over its 64 pixels of four bytes:
-// source, destination, both weighted by their factors, the equation. Factors are bytes too: 1 - f is ~f.
+// source, destination, both weighted by their factors, the equation. Factors are bytes too: 1 - f is ~f. The blendings that
+// most programs ask for take one step.
 // Leaves out index targets and dithering [GL1.5 §4.1.8, §4.1.10].
 #include "pipeline/fragment/blend.h"
 
@@ -16,6 +17,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/byte_math-inl.h"
 #include "pipeline/fragment/pixel_words-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 
@@ -33,75 +35,21 @@ HWY_INLINE void for_block(Pixels& out, const Function& function) {
 }
 HWY_INLINE IntVector load(const Pixels& pixels, std::size_t lane) { return hn::Load(IntTag(), pixels.word.data() + lane); }
 
-/// The block's colours as the target stores them; `memory` holds them if the block does not.
+/// A vector of the block's colours as the target stores them.
+template <bool packed>
+HWY_INLINE IntVector source_pixel(const FragmentBlock& block, std::size_t lane) {
+  if constexpr (packed) return load(block.words, lane);
+  const auto channel = [&](std::size_t k) HWY_ATTR { return hn::Load(FloatTag(), block.color[k].data() + lane); };
+  return pack_unorm8(channel(0), channel(1), channel(2), channel(3));
+}
+
+/// All of them; `memory` holds them if the block does not.
 template <bool packed>
 HWY_INLINE const Pixels& source_pixels(const FragmentBlock& block, Pixels& memory) {
   if constexpr (packed) return block.words;
-  for_block(memory, [&](std::size_t lane) HWY_ATTR {
-    const auto channel = [&](std::size_t k) HWY_ATTR { return hn::Load(FloatTag(), block.color[k].data() + lane); };
-    return pack_unorm8(channel(0), channel(1), channel(2), channel(3));
-  });
+  for_block(memory, [&](std::size_t lane) HWY_ATTR { return source_pixel<packed>(block, lane); });
   return memory;
 }
-
-/// Alpha in all four bytes.
-HWY_INLINE IntVector alpha_of(IntVector pixel) {
-  const hn::RebindToUnsigned<IntTag> du;
-  auto a = hn::ShiftRight<24>(hn::BitCast(du, pixel));
-  a = hn::Or(a, hn::ShiftLeft<8>(a));
-  return hn::BitCast(IntTag(), hn::Or(a, hn::ShiftLeft<16>(a)));
-}
-
-/// Arithmetic on the four bytes of each word.
-#if HWY_TARGET == HWY_SCALAR  // has no vectors of bytes
-template <class Function>
-HWY_INLINE IntVector for_bytes(IntVector a, IntVector b, const Function& function) {
-  const auto x = static_cast<std::uint32_t>(hn::GetLane(a)), y = static_cast<std::uint32_t>(hn::GetLane(b));
-  std::uint32_t out = 0;
-  for (std::uint32_t shift = 0; shift < 32; shift += 8) out |= function(x >> shift & 0xFF, y >> shift & 0xFF) << shift;
-  return hn::Set(IntTag(), static_cast<std::int32_t>(out));
-}
-using Byte = std::uint32_t;
-HWY_INLINE IntVector byte_sum(IntVector a, IntVector b) {
-  return for_bytes(a, b, [](Byte x, Byte y) { return HWY_MIN(x + y, 255u); });
-}
-HWY_INLINE IntVector byte_difference(IntVector a, IntVector b) {
-  return for_bytes(a, b, [](Byte x, Byte y) { return x > y ? x - y : 0u; });
-}
-HWY_INLINE IntVector byte_min(IntVector a, IntVector b) {
-  return for_bytes(a, b, [](Byte x, Byte y) { return HWY_MIN(x, y); });
-}
-HWY_INLINE IntVector byte_max(IntVector a, IntVector b) {
-  return for_bytes(a, b, [](Byte x, Byte y) { return HWY_MAX(x, y); });
-}
-HWY_INLINE IntVector byte_product(IntVector a, IntVector b) {
-  return for_bytes(a, b, [](Byte x, Byte y) {
-    const Byte t = x * y + 128;
-    return (t + (t >> 8)) >> 8;
-  });
-}
-#else
-using ByteTag = hn::Repartition<std::uint8_t, IntTag>;
-HWY_INLINE hn::Vec<ByteTag> bytes(IntVector v) { return hn::BitCast(ByteTag(), v); }
-HWY_INLINE IntVector words(hn::Vec<ByteTag> v) { return hn::BitCast(IntTag(), v); }
-HWY_INLINE IntVector byte_sum(IntVector a, IntVector b) { return words(hn::SaturatedAdd(bytes(a), bytes(b))); }
-HWY_INLINE IntVector byte_difference(IntVector a, IntVector b) { return words(hn::SaturatedSub(bytes(a), bytes(b))); }
-HWY_INLINE IntVector byte_min(IntVector a, IntVector b) { return words(hn::Min(bytes(a), bytes(b))); }
-HWY_INLINE IntVector byte_max(IntVector a, IntVector b) { return words(hn::Max(bytes(a), bytes(b))); }
-/// round(a * b / 255), exactly.
-HWY_INLINE IntVector byte_product(IntVector a, IntVector b) {
-  const hn::Repartition<std::uint16_t, IntTag> d16;
-  const auto rounded = [&](auto x, auto y) HWY_ATTR {
-    const auto t = hn::Add(hn::Mul(x, y), hn::Set(d16, std::uint16_t{128}));
-    return hn::ShiftRight<8>(hn::Add(t, hn::ShiftRight<8>(t)));
-  };
-  const auto low_byte = hn::Set(d16, std::uint16_t{0xFF});
-  const auto a16 = hn::BitCast(d16, a), b16 = hn::BitCast(d16, b);
-  const auto even = rounded(hn::And(a16, low_byte), hn::And(b16, low_byte));
-  const auto odd = rounded(hn::ShiftRight<8>(a16), hn::ShiftRight<8>(b16));
-  return hn::BitCast(IntTag(), hn::Or(even, hn::ShiftLeft<8>(odd)));
-}
-#endif
 
 /// out = value * factor [GL1.5 Table 4.1]. source_alpha_saturate is that of colours.
 HWY_INLINE void weigh(BlendFactor factor, const Pixels& value, const Pixels& source, const Pixels& destination,
@@ -222,11 +170,66 @@ void blend_8(FragmentBlock& block, const TileTarget& target) {
   write_block(block, writer, result);
 }
 
+/// In one step: writes function(source, destination) of the covered lanes.
+template <bool all_channels, bool packed, class Function>
+HWY_INLINE void write_function(FragmentBlock& block, const TileTarget& target, const Function& function) {
+  const Unorm8Writer<all_channels> writer(target, block.first_pixel, block.primitive->binding->state.color_write_mask);
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(IntTag())) {
+    const std::uint64_t covered = lane_bits(block.coverage, lane);
+    if (covered != 0) writer.put(function(source_pixel<packed>(block, lane), writer.stored(lane)), covered, lane);
+  }
+}
+
 template <bool all_channels, bool packed>
 void replace_8(FragmentBlock& block, const TileTarget& target) {
-  const Unorm8Writer<all_channels> writer(target, block.first_pixel, block.primitive->binding->state.color_write_mask);
-  Pixels memory;
-  write_block(block, writer, source_pixels<packed>(block, memory));
+  write_function<all_channels, packed>(block, target, [](IntVector s, IntVector) HWY_ATTR { return s; });
+}
+
+/// The blendings that most programs ask for, in one step: s and t times their factors, added.
+struct ByAlpha {  // SRC_ALPHA, ONE_MINUS_SRC_ALPHA
+  static HWY_INLINE IntVector blended(IntVector s, IntVector t) {
+    const IntVector alpha = alpha_of(s);
+    return byte_sum(byte_product(s, alpha), byte_product(t, hn::Not(alpha)));
+  }
+};
+struct Premultiplied {  // ONE, ONE_MINUS_SRC_ALPHA
+  static HWY_INLINE IntVector blended(IntVector s, IntVector t) { return byte_sum(s, byte_product(t, hn::Not(alpha_of(s)))); }
+};
+struct Added {  // ONE, ONE
+  static HWY_INLINE IntVector blended(IntVector s, IntVector t) { return byte_sum(s, t); }
+};
+struct AddedByAlpha {  // SRC_ALPHA, ONE
+  static HWY_INLINE IntVector blended(IntVector s, IntVector t) { return byte_sum(byte_product(s, alpha_of(s)), t); }
+};
+struct Multiplied {  // DST_COLOR, ZERO and ZERO, SRC_COLOR
+  static HWY_INLINE IntVector blended(IntVector s, IntVector t) { return byte_product(s, t); }
+};
+
+template <bool all_channels, bool packed, class Blending>
+void blend_at_once_8(FragmentBlock& block, const TileTarget& target) {
+  write_function<all_channels, packed>(block, target, Blending::blended);
+}
+
+/// Null if there is no such function.
+template <bool all_channels, bool packed>
+FragmentPass select_blending_at_once(const BlendState& blend) {
+  using enum BlendFactor;
+  if (!one_for_all(blend) || blend.rgb.equation != BlendEquation::add) return nullptr;
+  const auto are = [&](BlendFactor source, BlendFactor destination) {
+    return blend.rgb.source == source && blend.rgb.destination == destination;
+  };
+  if (are(source_alpha, one_minus_source_alpha)) return blend_at_once_8<all_channels, packed, ByAlpha>;
+  if (are(one, one_minus_source_alpha)) return blend_at_once_8<all_channels, packed, Premultiplied>;
+  if (are(one, one)) return blend_at_once_8<all_channels, packed, Added>;
+  if (are(source_alpha, one)) return blend_at_once_8<all_channels, packed, AddedByAlpha>;
+  if (are(destination_color, zero) || are(zero, source_color)) return blend_at_once_8<all_channels, packed, Multiplied>;
+  return nullptr;
+}
+
+template <bool all_channels, bool packed>
+FragmentPass select_blending_8(const BlendState& blend) {
+  const FragmentPass at_once = select_blending_at_once<all_channels, packed>(blend);
+  return at_once != nullptr ? at_once : blend_8<all_channels, packed>;
 }
 
 /// s op t, bit by bit [GL1.5 Table 4.2].
@@ -269,7 +272,7 @@ template <bool packed>
 FragmentPass select_8(const RasterState& state) {
   if (state.logic_op != LogicOp::copy) return logic_op_8<packed>;
   const bool all_channels = state.color_write_mask == 0xF;
-  if (state.blend.enabled) return all_channels ? blend_8<true, packed> : blend_8<false, packed>;
+  if (state.blend.enabled) return all_channels ? select_blending_8<true, packed>(state.blend) : select_blending_8<false, packed>(state.blend);
   return all_channels ? replace_8<true, packed> : replace_8<false, packed>;
 }
 

@@ -52,6 +52,8 @@ struct Unorm8Sink {
                         std::size_t lane) const {
     writer.put(pack_unorm8(r, g, b, a), covered, lane);
   }
+  HWY_INLINE void write_words(IntVector words, std::uint64_t covered, std::size_t lane) const { writer.put(words, covered, lane); }
+  HWY_INLINE std::int32_t* whole_block() const requires all_channels { return writer.pixels(); }
 };
 
 /// Wider targets: four words a pixel, written lane by lane.
@@ -104,13 +106,21 @@ template <class Sink>
 HWY_INLINE void write_image_bytes(const FragmentBlock& block, const ColorRecord& color, const Sink& sink) {
   const IntTag di;
   const FloatTag d;
+  const PlacedImage& image = *block.primitive->binding->image;
+  if constexpr (requires { sink.whole_block(); }) {
+    if (has_whole_rows(image, block)) return copy_image_rows(image, block, sink.whole_block());
+  }
   alignas(64) std::int32_t word[64];
-  load_image_words(*block.primitive->binding->image, block, word);
+  load_image_words(image, block, word);
   const FloatVector scale = hn::Set(d, color.base[0]), most = hn::Set(d, 255.0f);
   for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
     const std::uint64_t covered = lane_bits(block.coverage, lane);
     if (covered == 0) continue;
     const IntVector words = hn::Load(di, word + lane), low = hn::Set(di, 0xFF);
+    if constexpr (requires { sink.write_words(words, covered, lane); }) {
+      sink.write_words(words, covered, lane);
+      continue;
+    }
     const auto channel = [&](IntVector bits) HWY_ATTR {
       return hn::Div(hn::Mul(hn::ConvertTo(d, hn::And(bits, low)), scale), most);
     };

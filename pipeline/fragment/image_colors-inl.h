@@ -33,16 +33,32 @@ HWY_INLINE void for_image_pixels(const PlacedImage& image, const FragmentBlock& 
   }
 }
 
+/// Whether eight pixels of the image, side by side, are those of a row of the block.
+HWY_INLINE bool has_whole_rows(const PlacedImage& image, const FragmentBlock& block) {
+  return block.coverage == ~std::uint64_t{0} && image.column == nullptr;
+}
+
+/// The 64 pixels of a block with whole rows, four bytes each.
+HWY_INLINE void copy_image_rows(const PlacedImage& image, const FragmentBlock& block, std::int32_t* out) {
+  for (std::int32_t row = 0; row < 8; ++row, out += 8) {
+    const std::byte* const from = image.row_at(block.y + row) + image.column_at(block.x) * 4;
+#if HWY_TARGET == HWY_SCALAR
+    std::memcpy(out, from, 32);
+#else
+    const hn::CappedTag<std::uint8_t, 32> d;
+    auto* const to = reinterpret_cast<std::uint8_t*>(out);
+    for (std::size_t i = 0; i < 32; i += hn::Lanes(d)) hn::Store(hn::LoadU(d, reinterpret_cast<const std::uint8_t*>(from) + i), d, to + i);
+#endif
+  }
+}
+
 /// Pixels of bytes, R in the low ones; lanes that are not covered hold anything.
 HWY_INLINE void load_image_words(const PlacedImage& image, const FragmentBlock& block, std::int32_t (&word)[64]) {
-  const bool whole = block.coverage == ~std::uint64_t{0} && image.column == nullptr;
-  if (!whole) {
+  if (!has_whole_rows(image, block)) {
     for_image_pixels(image, block, [&](std::int32_t lane, const std::byte* pixel) { std::memcpy(word + lane, pixel, 4); });
     return;
   }
-  for (std::int32_t row = 0; row < 8; ++row) {
-    std::memcpy(word + row * 8, image.row_at(block.y + row) + image.column_at(block.x) * 4, 32);
-  }
+  copy_image_rows(image, block, word);
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE

@@ -31,6 +31,7 @@ class Unorm8Writer {
     for (std::uint32_t k = 0; k < 4; ++k) bits |= (write_mask >> k & 1u) != 0 ? 0xFFu << (8 * k) : 0u;
     channel_bits_ = static_cast<std::int32_t>(bits);
   }
+  HWY_INLINE std::int32_t* pixels() const { return pixels_; }
   HWY_INLINE IntVector stored(std::size_t lane) const { return hn::Load(IntTag(), pixels_ + lane); }
   HWY_INLINE void put(IntVector packed, std::uint64_t covered, std::size_t lane) const {
     const IntTag d;

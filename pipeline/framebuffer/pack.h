@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pipeline/framebuffer/byte_orders.h"
 #include "pipeline/framebuffer/framebuffer.h"
 
 namespace gouraud::pipeline {
@@ -35,5 +36,9 @@ int bytes_per_pixel(PackedLayout layout);
 /// negative and need not be aligned. The target's colour format is stored_format(layout).
 void pack_color_rows(const Framebuffer& target, PackedLayout layout, int x, int y, int count, int rows, std::byte* out,
                      std::ptrdiff_t row_stride_bytes);
+
+/// The same of a ColorFormat::rgba8 target, with any of its bytes in any order.
+void pack_bytes(const Framebuffer& target, const ByteOrder& order, int bytes_per_pixel, int x, int y, int count, int rows, std::byte* out,
+                std::ptrdiff_t row_stride_bytes);
 
 }  // namespace gouraud::pipeline

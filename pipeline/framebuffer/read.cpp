@@ -8,6 +8,9 @@
 #include <cassert>
 #include <cstring>
 
+#include "pipeline/framebuffer/depth_values.h"
+#include "pipeline/framebuffer/tile_bands.h"
+
 namespace gouraud::pipeline {
 namespace {
 
@@ -37,47 +40,10 @@ void convert_row(const TiledBuffer& buffer, int x, int y, int count, Out* out, C
   });
 }
 
-// A whole run has a size known at compile time and becomes a few vector moves.
-template <int bytes_per_pixel>
-void copy_block_row(std::byte* out, const std::byte* pixels, int length) {
-  if (length == block_size) {
-    std::memcpy(out, pixels, block_size * bytes_per_pixel);
-  } else {
-    std::memcpy(out, pixels, static_cast<std::size_t>(length) * bytes_per_pixel);
-  }
-}
-
-template <int bytes_per_pixel>
 void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std::byte* out, std::ptrdiff_t stride) {
-  while (rows > 0) {
-    const int band = std::min(rows, block_size - y % block_size);
-    std::byte* destination = out;
-    for_each_run(buffer, x, y, count, [&](const std::byte* pixels, int length) {
-      for (int row = 0; row < band; ++row) {
-        copy_block_row<bytes_per_pixel>(destination + row * stride, pixels + row * block_size * bytes_per_pixel,
-                                        length);
-      }
-      destination += length * bytes_per_pixel;
-    });
-    out += band * stride;
-    y += band;
-    rows -= band;
-  }
-}
-
-void copy_rows(const TiledBuffer& buffer, int x, int y, int count, int rows, std::byte* out, std::ptrdiff_t stride) {
-  switch (buffer.bytes_per_pixel()) {
-    case 2:
-      return copy_rows<2>(buffer, x, y, count, rows, out, stride);
-    case 4:
-      return copy_rows<4>(buffer, x, y, count, rows, out, stride);
-    case 8:
-      return copy_rows<8>(buffer, x, y, count, rows, out, stride);
-    case 16:
-      return copy_rows<16>(buffer, x, y, count, rows, out, stride);
-    default:
-      break;
-  }
+  for_each_band(y, rows, out, stride, [&](int band_y, int band_rows, std::byte* band) {
+    copy_band(buffer, x, band_y, count, band_rows, band, stride);
+  });
 }
 
 // Clamps to [0, 1] (NaN gives 0), multiplies by 255 and rounds to nearest even: adding 1.5 * 2^23 leaves the rounded
@@ -109,6 +75,21 @@ void read_color_rows(const Framebuffer& target, int x, int y, int count, int row
 void read_depth_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
                      std::ptrdiff_t row_stride_bytes) {
   copy_rows(target.depth, x, y, count, rows, out, row_stride_bytes);
+}
+
+void read_depth_rows_float(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
+                           std::ptrdiff_t row_stride_bytes) {
+  const auto read = [&]<int bytes_per_pixel>(const auto& convert) {
+    for_each_band(y, rows, out, row_stride_bytes, [&](int band_y, int band_rows, std::byte* band) {
+      convert_band<bytes_per_pixel>(target.depth, x, band_y, count, band_rows, band, row_stride_bytes, sizeof(float), convert);
+    });
+  };
+  switch (target.depth_format) {
+    case DepthFormat::none: return;
+    case DepthFormat::z16: return read.template operator()<2>(depths_of_z16);
+    case DepthFormat::z24s8: return read.template operator()<4>(depths_of_z24s8);
+    case DepthFormat::z32f: return read_depth_rows(target, x, y, count, rows, out, row_stride_bytes);
+  }
 }
 
 void read_color_row_float(const Framebuffer& target, int x, int y, int count, float* out_rgba) {

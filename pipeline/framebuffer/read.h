@@ -23,6 +23,10 @@ void read_color_rows(const Framebuffer& target, int x, int y, int count, int row
 void read_depth_rows(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
                      std::ptrdiff_t row_stride_bytes);
 
+/// Depth of `rows` rows in [0, 1] as floats: value / (2^bits - 1), to nearest, or the float stored.
+void read_depth_rows_float(const Framebuffer& target, int x, int y, int count, int rows, std::byte* out,
+                           std::ptrdiff_t row_stride_bytes);
+
 /// Colour of one row as float RGBA. Bytes give v * (1/255.0f), 16-bit words v * (1/65535.0f) (MESA-RULES 9).
 void read_color_row_float(const Framebuffer& target, int x, int y, int count, float* out_rgba);
 

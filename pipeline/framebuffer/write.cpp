@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "pipeline/framebuffer/tile_bands.h"
+
 namespace gouraud::pipeline {
 namespace {
 
@@ -28,6 +30,12 @@ float depth_in_units(double depth, DepthFormat format) {
     case DepthFormat::z32f: return static_cast<float>(clamped);
   }
   return 0.0f;
+}
+
+void write_color_rows(const Framebuffer& target, int x, int y, int count, int rows, const std::byte* in, std::ptrdiff_t row_stride_bytes) {
+  for_each_band(y, rows, in, row_stride_bytes, [&](int band_y, int band_rows, const std::byte* band) {
+    paste_band(target.color, x, band_y, count, band_rows, band, row_stride_bytes);
+  });
 }
 
 void write_stencil_row(const Framebuffer& target, int x, int y, int count, const std::uint8_t* values, std::uint8_t mask) {

@@ -20,21 +20,31 @@ constexpr std::size_t bytes_per_pixel(PixelImageFormat format) {
   return format == PixelImageFormat::rgba8 ? 4 : format == PixelImageFormat::rgba32f ? 16 : 8;
 }
 
+/// From so many pixels on it pays to draw an image at once, and not to keep it until the tiles are drawn.
+inline constexpr std::int64_t many_pixels = 1 << 16;
+
 struct PixelImage {
   /// Pixels are not initialized; throws std::bad_alloc.
   PixelImage(PixelImageFormat image_format, std::int32_t width, std::int32_t height)
       : format(image_format),
         width_px(width),
         height_px(height),
-        data(std::make_unique_for_overwrite<std::byte[]>(static_cast<std::size_t>(width) *
-                                                         static_cast<std::size_t>(height) * bytes_per_pixel(image_format))) {}
-  std::byte* row(std::int32_t y) const {
-    return data.get() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) * bytes_per_pixel(format);
-  }
+        row_bytes(static_cast<std::ptrdiff_t>(width) * static_cast<std::ptrdiff_t>(bytes_per_pixel(image_format))),
+        own(std::make_unique_for_overwrite<std::byte[]>(static_cast<std::size_t>(row_bytes) * static_cast<std::size_t>(height))),
+        first_row(own.get()) {}
+  /// Pixels of somebody else, valid as long as the call lasts that they are given to; need not be aligned.
+  PixelImage(PixelImageFormat image_format, std::int32_t width, std::int32_t height, const std::byte* pixels, std::ptrdiff_t stride)
+      : format(image_format), width_px(width), height_px(height), row_bytes(stride), first_row(pixels) {}
+
+  const std::byte* row(std::int32_t y) const { return first_row + y * row_bytes; }
+  std::byte* own_row(std::int32_t y) { return own.get() + y * row_bytes; }
+  bool borrowed() const { return own == nullptr; }
 
   PixelImageFormat format;
   std::int32_t width_px, height_px;
-  std::unique_ptr<std::byte[]> data;
+  std::ptrdiff_t row_bytes;  ///< from one row to the next
+  std::unique_ptr<std::byte[]> own;
+  const std::byte* first_row;
 };
 
 /// A part of a pixel rectangle, in window space: column n of the whole lies between x + zoom_x * n and
@@ -67,14 +77,14 @@ struct FragmentSource {
 struct PlacedImage {
   PixelImageFormat format = PixelImageFormat::rgba8;
   const std::byte* pixels = nullptr;  ///< depth: one float a pixel, in buffer units
-  std::size_t row_bytes = 0;
+  std::ptrdiff_t row_bytes = 0;
   std::int32_t x0 = 0, y0 = 0;
   const std::int32_t* column = nullptr;
   const std::int32_t* row = nullptr;
 
   const std::byte* row_at(std::int32_t y) const {
     const std::int32_t j = y - y0;
-    return pixels + static_cast<std::size_t>(row != nullptr ? row[j] : j) * row_bytes;
+    return pixels + (row != nullptr ? row[j] : j) * row_bytes;
   }
   std::size_t column_at(std::int32_t x) const {
     const std::int32_t i = x - x0;
