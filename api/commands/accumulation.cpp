@@ -22,6 +22,7 @@ void Accum(Context& context, GLenum op, GLfloat value) {
   if (op != GL_ACCUM && op != GL_LOAD && op != GL_ADD && op != GL_MULT && op != GL_RETURN) {
     return context.record_error(GL_INVALID_ENUM, command, "op is unknown");
   }
+  if (!context.can_draw(command)) return;
   const TargetInfo target = context.target_info();
   if (!target.accumulates) return context.record_error(GL_INVALID_OPERATION, command, "there is no accumulation buffer");
   if (renders_nothing(context)) return;

@@ -117,6 +117,7 @@ void PushAttrib(Context& context, GLbitfield mask) {
   sync_color_material(context.state);
   SavedAttributes saved{mask, context.state, {}};
   saved.groups.color_buffer.draw_buffer = context.framebuffers.draw->draw_buffer;
+  saved.groups.pixel.read_buffer = context.framebuffers.read->read_buffer;
   if ((mask & GL_TEXTURE_BIT) != 0) saved.texture_parameters = parameters_of_bound_textures(context.state.texture);
   stack.push_back(std::move(saved));
 }
@@ -133,6 +134,7 @@ void PopAttrib(Context& context) {
   if ((saved.mask & GL_TEXTURE_BIT) != 0) restore_textures(context, saved);
   if ((saved.mask & GL_ENABLE_BIT) != 0) restore_enables(groups, saved.groups);
   if ((saved.mask & GL_COLOR_BUFFER_BIT) != 0) restore_draw_buffer(context, saved.groups.color_buffer.draw_buffer);
+  if ((saved.mask & GL_PIXEL_MODE_BIT) != 0) restore_read_buffer(context, saved.groups.pixel.read_buffer);
   stack.pop_back();
   context.change(dirty_all);
 }

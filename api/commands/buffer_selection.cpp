@@ -63,6 +63,10 @@ void restore_draw_buffer(Context& context, GLenum buffer) {
   select(context, *context.framebuffers.draw, &FramebufferObject::draw_buffer, buffer, "glPopAttrib");
 }
 
+void restore_read_buffer(Context& context, GLenum buffer) {
+  select(context, *context.framebuffers.read, &FramebufferObject::read_buffer, buffer, "glPopAttrib");
+}
+
 void DrawBuffer(Context& context, GLenum buf) {
   select(context, *context.framebuffers.draw, &FramebufferObject::draw_buffer, buf, "glDrawBuffer");
 }

@@ -12,7 +12,8 @@ namespace gouraud::api {
 void DrawBuffer(Context& context, GLenum buf);
 void ReadBuffer(Context& context, GLenum src);
 
-/// What PopAttrib does with a draw buffer that PushAttrib has saved: the errors are DrawBuffer's.
+/// What PopAttrib does with a draw or read buffer that PushAttrib has saved: the errors are DrawBuffer's and ReadBuffer's.
 void restore_draw_buffer(Context& context, GLenum buffer);
+void restore_read_buffer(Context& context, GLenum buffer);
 
 }  // namespace gouraud::api

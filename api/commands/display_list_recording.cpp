@@ -183,6 +183,20 @@ void append(Context& context, Opcode opcode, const void* record, std::size_t byt
   }
 }
 
+/// A draw between Begin and End, which is executed as it is compiled.
+bool fails_now(const Context& context, Opcode opcode) {
+  return opcode != Opcode::ArrayElement && context.list_compiler.mode == GL_COMPILE_AND_EXECUTE && context.inside_begin_end();
+}
+
+// Its handler is not called, and so records nothing: a draw without vertices fails again each time that the list is called.
+void append_empty_draw(ListCompiler& compiler) {
+  const std::size_t offset = compiler.list.size();
+  compiler.run_begin = ListCompiler::none;
+  compiler.list.append(ListTag::draw, sizeof(std::uint64_t));
+  const std::uint64_t bytes = 0;
+  compiler.list.rewrite(offset, &bytes, sizeof(bytes));
+}
+
 }  // namespace
 
 bool append_record(Context& context, Opcode opcode, const void* record, std::size_t bytes) noexcept {
@@ -190,6 +204,7 @@ bool append_record(Context& context, Opcode opcode, const void* record, std::siz
   if (is_proxy(opcode, record)) return true;
   try {
     if (reads_arrays(opcode)) {
+      if (fails_now(context, opcode) && !compiler.out_of_memory) append_empty_draw(compiler);
       records::execute(context, opcode, record);
       return false;
     }

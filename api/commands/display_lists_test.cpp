@@ -508,6 +508,15 @@ TEST(DisplayLists, DrawsFromArraysBetweenBeginAndEndFailAsAWhole) {
     glEnd();
     EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
     EXPECT_EQ(screen.pixels()[100], 0u);
+
+    glNewList(2, GL_COMPILE_AND_EXECUTE);
+    glBegin(GL_QUADS);
+    glDrawArrays(GL_QUADS, 0, 4);
+    glEnd();
+    glEndList();
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION));
+    glCallList(2);
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_OPERATION)) << "each time that it is called";
   }
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }

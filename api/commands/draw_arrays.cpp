@@ -194,9 +194,6 @@ void append_shared(Context& context, const Sources& sources, std::uintptr_t coun
 template <class Record>
 void record_draw(Context& context, Record record) {
   ListCompiler& compiler = context.list_compiler;
-  if (compiler.mode == GL_COMPILE_AND_EXECUTE && context.inside_begin_end()) {
-    return context.record_error(GL_INVALID_OPERATION, "glDrawArrays", "between glBegin and glEnd");
-  }
   std::size_t offset = 0;
   try {
     offset = compiler.list.size();

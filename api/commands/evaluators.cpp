@@ -202,6 +202,7 @@ void EvalMesh1(Context& context, GLenum mode, GLint i1, GLint i2) {
   if (mode != GL_POINT && mode != GL_LINE) {
     return context.record_error(GL_INVALID_ENUM, "glEvalMesh1", "mode is unknown");
   }
+  if (!context.can_draw("glEvalMesh1")) return;
   context.refresh();
   const MapSelection selection = select_maps(context.state.eval, 1, context.plan().vertex_demand);
   if (selection.position == MapSelection::none || !context.plan().draws) return;
@@ -222,6 +223,7 @@ void EvalMesh2(Context& context, GLenum mode, GLint i1, GLint i2, GLint j1, GLin
   if (mode != GL_POINT && mode != GL_LINE && mode != GL_FILL) {
     return context.record_error(GL_INVALID_ENUM, "glEvalMesh2", "mode is unknown");
   }
+  if (!context.can_draw("glEvalMesh2")) return;
   context.refresh();
   const MapSelection selection = select_maps(context.state.eval, 2, context.plan().vertex_demand);
   if (selection.position == MapSelection::none || !context.plan().draws || i1 > i2 || j1 > j2) return;

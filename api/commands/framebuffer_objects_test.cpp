@@ -223,8 +223,48 @@ TEST(FramebufferObjects, AnIncompleteFramebufferIsNeitherDrawnNorRead) {
   EXPECT_EQ(glGetError(), GL_INVALID_FRAMEBUFFER_OPERATION);
   EXPECT_EQ(pixel(0, 0), 0u);
   EXPECT_EQ(glGetError(), GL_INVALID_FRAMEBUFFER_OPERATION);
+  const float points[6] = {-1, 0, 0, 1, 0, 0};
+  glMap1f(GL_MAP1_VERTEX_3, 0, 1, 3, 2, points);
+  glEnable(GL_MAP1_VERTEX_3);
+  struct {
+    const char* command;
+    void (*call)();
+  } const commands[] = {
+      {"Rect", [] { glRectf(-1, -1, 1, 1); }},
+      {"Bitmap", [] { glBitmap(8, 1, 0, 0, 0, 0, reinterpret_cast<const GLubyte*>("x")); }},
+      {"DrawPixels", [] { glDrawPixels(1, 1, GL_RGBA, GL_UNSIGNED_BYTE, "1234"); }},
+      {"CopyPixels", [] { glCopyPixels(0, 0, 1, 1, GL_COLOR); }},
+      {"Accum", [] { glAccum(GL_LOAD, 1); }},
+      {"EvalMesh1", [] { glEvalMesh1(GL_LINE, 0, 1); }},
+      {"CopyTexImage2D", [] { glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 0, 0, 4, 4, 0); }},
+      {"BlitFramebuffer", [] { glBlitFramebuffer(0, 0, 1, 1, 0, 0, 1, 1, GL_COLOR_BUFFER_BIT, GL_NEAREST); }},
+  };
+  for (const auto& command : commands) {
+    command.call();
+    EXPECT_EQ(glGetError(), GL_INVALID_FRAMEBUFFER_OPERATION) << command.command;
+  }
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   EXPECT_EQ(pixel(0, 0), green);
+}
+
+TEST(FramebufferObjects, PopAttribSelectsTheBuffersThatWereSaved) {
+  const Screen screen;
+  const auto selected = [](GLenum pname) {
+    GLint value = -1;
+    glGetIntegerv(pname, &value);
+    return value;
+  };
+  for (const GLbitfield mask : {GL_COLOR_BUFFER_BIT, GL_PIXEL_MODE_BIT}) {
+    glDrawBuffer(GL_FRONT);
+    glReadBuffer(GL_FRONT);
+    glPushAttrib(mask);
+    glDrawBuffer(GL_NONE);
+    glReadBuffer(GL_NONE);
+    glPopAttrib();
+    EXPECT_EQ(selected(GL_DRAW_BUFFER), mask == GL_COLOR_BUFFER_BIT ? GL_FRONT : GL_NONE);
+    EXPECT_EQ(selected(GL_READ_BUFFER), mask == GL_PIXEL_MODE_BIT ? GL_FRONT : GL_NONE);
+  }
+  EXPECT_EQ(glGetError(), GL_NO_ERROR);
 }
 
 TEST(FramebufferObjects, PicturesAreTheirOwn) {

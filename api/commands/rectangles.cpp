@@ -5,6 +5,7 @@
 namespace gouraud::api {
 
 void Rectf(Context& context, GLfloat x1, GLfloat y1, GLfloat x2, GLfloat y2) {
+  if (!context.can_draw("glRect")) return;
   context.begin_primitive(pipeline::PrimitiveMode::polygon);
   Vertex4f(context, x1, y1, 0.0f, 1.0f);
   Vertex4f(context, x2, y1, 0.0f, 1.0f);

@@ -168,7 +168,7 @@ ComponentBits component_bits(const StoredFormat& format) {
   const int size = channel_bits(format.texels);
   switch (format.base) {
     case BaseFormat::rgba:
-      bits.alpha = size;
+      bits.alpha = format.blocks == S3tcFormat::dxt1_rgba ? 1 : format.blocks == S3tcFormat::dxt3 ? 4 : size;
       [[fallthrough]];
     case BaseFormat::rgb:
       bits.red = bits.green = bits.blue = size;

@@ -76,7 +76,9 @@ Place find_place(TextureEnvironmentParameters& e, GLenum pname) {
 
 GLenum set_environment(TextureEnvironmentParameters& e, GLenum pname, const GLfloat* params) {
   if (const Place place = find_place(e, pname); place.name != nullptr) {
-    const GLenum value = to_enum(params[0]);
+    GLenum value = to_enum(params[0]);
+    // [EXT_texture]: a number of its own for the same.
+    if (place.kind == Place::Kind::mode && value == GL_REPLACE_EXT) value = GL_REPLACE;
     if (!place.allows(value)) return GL_INVALID_ENUM;
     *place.name = value;
     return GL_NO_ERROR;

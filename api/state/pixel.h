@@ -23,6 +23,7 @@ struct PixelTransferGroup {
 struct PixelGroup {
   PixelTransferGroup transfer;
   float zoom_x = 1.0f, zoom_y = 1.0f;
+  GLenum read_buffer = GL_FRONT;  ///< of a saved group; in force is the read buffer of the framebuffer that is bound
   bool operator==(const PixelGroup&) const = default;
 };
 

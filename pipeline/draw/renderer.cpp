@@ -129,7 +129,7 @@ struct Renderer::Implementation {
   void add_homogeneous_triangle(const AssembledTriangle& triangle);
   bool draw_unclipped(const AssembledTriangle& triangle);
   void add_method_triangle(const WaitingTriangle& triangle);
-  void draw_unfilled(const AssembledTriangle& triangle);
+  void draw_unfilled(const AssembledTriangle& triangle, bool front);
   void draw_line(AssembledLine line);
   void draw_clipped_line(const AssembledLine& line);
   void draw_smooth_line(const AssembledLine& line);
@@ -148,7 +148,9 @@ struct Renderer::Implementation {
     kept.clear();
     kept_image_bytes = 0;
   }
-  void emit(const AssembledTriangle& triangle) { unfilled ? draw_unfilled(triangle) : draw_triangle(triangle); }
+  void emit(const AssembledTriangle& triangle) {
+    unfilled ? draw_unfilled(triangle, faces_front(*setup, vertices, triangle)) : draw_triangle(triangle);
+  }
 
   TileBins bins;
   std::vector<std::shared_ptr<const void>> kept;  ///< until the bins have run
@@ -345,8 +347,7 @@ void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triang
 
 /// Polygon modes [GL1.5 §3.5.4]: the face decides between filling, the boundary edges and their vertices.
 /// choice: edges 2-0, 0-1, 1-2, as Mesa (MESA-RULES 5.5): a polygon's fan then gives the polygon's edges in order.
-void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle) {
-  const bool front = faces_front(*setup, vertices, triangle);
+void Renderer::Implementation::draw_unfilled(const AssembledTriangle& triangle, bool front) {
   if (is_culled(setup->cull, front)) return;
   const PolygonMode mode = front ? mode_front : mode_back;
   if (mode == PolygonMode::fill) return draw_triangle(triangle);
@@ -380,7 +381,9 @@ void Renderer::Implementation::clip_and_draw(const AssembledTriangle& triangle) 
   const std::int32_t first_new = vertices.count;
   clip_triangle(triangle, viewport, clip_attributes, vertices, clipped);
   if (methods.colors == InterpolationMethod::affine) forget_distances(first_new, vertices);
-  for (const AssembledTriangle& part : clipped) emit(part);
+  double area = 0.0;
+  for (std::size_t i = 0; unfilled && i < clipped.size(); ++i) area += front_area(*setup, vertices, clipped[i]);
+  for (const AssembledTriangle& part : clipped) unfilled ? draw_unfilled(part, area > 0.0) : draw_triangle(part);
 }
 
 void Renderer::Implementation::draw_line(AssembledLine line) {

@@ -98,6 +98,8 @@ void setup_triangles(std::span<const WaitingTriangle* const> triangles, std::byt
 /// Facing of a triangle drawn as lines or points: by the sign of its unsnapped area; zero counts as back
 /// (MESA-RULES 2.5). True for front.
 bool faces_front(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle);
+/// Twice that area, positive for front. Of a triangle that was clipped, the parts' areas add up: a part may have none.
+double front_area(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle);
 /// True if CullFace removes such a face.
 bool is_culled(CullMode cull, bool front);
 

@@ -486,7 +486,7 @@ void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, s
   target[2] = secondary.b;
 }
 
-bool faces_front(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle) {
+double front_area(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle) {
   std::array<double, 3> x, y;
   for (std::size_t i = 0; i < 3; ++i) {
     const WindowVertex& vertex = vertices.window[triangle.vertex[i]];
@@ -494,7 +494,11 @@ bool faces_front(const SetupState& state, const ProcessedVertices& vertices, con
     y[i] = static_cast<double>(state.target_height_px) - vertex.y_raster;
   }
   const double area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-  return area != 0.0 && (area > 0.0) == (state.front_face == FrontFace::ccw);
+  return state.front_face == FrontFace::ccw ? area : -area;
+}
+
+bool faces_front(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle) {
+  return front_area(state, vertices, triangle) > 0.0;
 }
 
 std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
