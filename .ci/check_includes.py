@@ -44,7 +44,7 @@ API_TESTS = {"api"}
 
 # Room -> the folders and headers that it may include beside its own. The longest matching room counts.
 RULES = {
-    "demos": PUBLIC | {"GL/glext.h", "demos/shell/font.h", "demos/shell/images.h", "demos/shell/shadow_map.h",
+    "demos": PUBLIC | {"GL/glext.h", "demos/shell/circle.h", "demos/shell/font.h", "demos/shell/images.h", "demos/shell/shadow_map.h",
                        "demos/shell/shell.h", "demos/shell/solids.h"},
     "demos/shell": PUBLIC | {"GL/glext.h"},
     "conformance": PUBLIC,

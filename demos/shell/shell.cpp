@@ -37,6 +37,7 @@ void run_headless(const Demo& demo, const Options& options) {
     drawing += std::chrono::steady_clock::now() - begin;
     if (numbered || frame + 1 == options.frames) write_png(canvas, frame_file(options.out, frame));
   }
+  if (demo.status != nullptr) std::printf("%s: %s\n", demo.name, demo.status());
   std::printf("%s: wrote %s (%dx%d; %d frame%s, %.2f ms each)\n", demo.name, options.out.c_str(), options.width_px,
               options.height_px, options.frames, options.frames == 1 ? "" : "s", drawing.count() / options.frames);
 }

@@ -21,6 +21,7 @@ struct Demo {
   void (*key)(int key) = nullptr;                          // a key was pressed; the frame is drawn anew afterwards
   void (*click)(int x, int y) = nullptr;                   // the mouse was pressed at this pixel, y from the top; as key
   void (*draw)() = nullptr;                                // one frame; the shell finishes and shows it
+  const char* (*status)() = nullptr;                       // what the title says after the name, in place of the time
 };
 
 // Runs the demo until ESC or, headless, until the last frame. Returns the exit status: 0 done, 1 something failed

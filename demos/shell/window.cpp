@@ -168,7 +168,11 @@ void run_in_window(const Demo& demo, const Options& options) {
     if (animated) demo.animate(begin_s - start_s);
     demo.draw();
     canvas.finish();
-    title.add(glfwGetTime() - begin_s);
+    if (demo.status != nullptr) {
+      glfwSetWindowTitle(window, (std::string(demo.name) + " - " + demo.status()).c_str());
+    } else {
+      title.add(glfwGetTime() - begin_s);
+    }
     presenter.show(canvas.pixels(), canvas.width_px(), canvas.height_px());
   }
 }
