@@ -22,6 +22,11 @@ std::vector<Method> methods_of_table(const std::string& table) {
     last_step = method.step;
     if (is_default) continue;
     method.setting = method.step + "=" + name;
+    if (method.step == "epsilon") {
+      // Means something to one kind of coverage only.
+      method.setting = "coverage=barycentric," + method.setting;
+      method.step = "coverage";
+    }
     method.antialiases = method.step == "antialiasing";
     methods.push_back(method);
   }

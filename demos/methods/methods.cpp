@@ -183,6 +183,8 @@ void describe_error(const std::vector<unsigned char>& picture, const std::vector
 void draw_list() {
   gouraudMethods("");
   window_coordinates();
+  glColor3f(0.1f, 0.12f, 0.16f);
+  glRecti(4, 6, 190, 14 + shell::line_height_px * static_cast<int>(steps.size()));
   int y = 12 + shell::line_height_px * static_cast<int>(steps.size() - 1);
   for (size_t i = 0; i < steps.size(); ++i, y -= shell::line_height_px) {
     const bool is_default = steps[i].chosen == 0;
