@@ -1,9 +1,4 @@
-// Takes shapes, gives the area that they share with pixels.
-//
-// Corners: an edge that runs up has its left side counted in every pixel beside it, one that runs down takes it away
-// again; what is left in a pixel is the area of the shape there. Along an edge the share of the pixel that lies to the
-// right of it is a clamped line, whose mean over a stretch has a closed form.
-// Discs: chords at the middle of strips, along whichever axis the circle is less steep on.
+// Takes smooth primitives, gives blocks with what they cover (areas.h) of each pixel.
 #include "pipeline/raster/smooth.h"
 
 #include <algorithm>
@@ -11,86 +6,13 @@
 #include <span>
 
 #include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/raster/areas.h"
 #include "pipeline/raster/polygons.h"
 
 namespace gouraud::pipeline {
 namespace {
 
 using Corner = SmoothShape::Corner;
-using Areas = std::array<double, 64>;
-
-double unit_clamped(double value) { return std::min(std::max(value, 0.0), 1.0); }
-
-/// The integral of unit_clamped from 0 on.
-double clamped_integral(double u) {
-  const double inside = unit_clamped(u);
-  return 0.5 * inside * inside + std::max(u - 1.0, 0.0);
-}
-
-/// The mean of unit_clamped between u0 and u1.
-double mean_clamped(double u0, double u1) {
-  constexpr double steep_enough = 1e-5;  // else rounding is larger than what is neglected
-  const double span = u1 - u0;
-  if (std::abs(span) < steep_enough) return unit_clamped(0.5 * (u0 + u1));
-  return (clamped_integral(u1) - clamped_integral(u0)) / span;
-}
-
-/// Adds the area to the right of an edge, signed by its direction; positions relative to the block.
-void add_edge(Corner from, Corner to, Areas& area) {
-  if (from.y == to.y) return;
-  const double sign = from.y < to.y ? 1.0 : -1.0;
-  if (sign < 0) std::swap(from, to);
-  const double slope = (to.x - from.x) / (to.y - from.y);
-  const double bottom = std::max(from.y, 0.0), top = std::min(to.y, 8.0);
-  if (!(bottom < top)) return;
-  const auto x_at = [&](double y) { return from.x + (y - from.y) * slope; };
-  for (int row = static_cast<int>(bottom); row < 8 && row < top; ++row) {
-    const double y0 = std::max(bottom, static_cast<double>(row)), y1 = std::min(top, row + 1.0);
-    const double height = sign * (y1 - y0), x0 = x_at(y0), x1 = x_at(y1);
-    for (int column = 0; column < 8; ++column) {
-      area[static_cast<std::size_t>(8 * row + column)] += height * mean_clamped(column + 1 - x0, column + 1 - x1);
-    }
-  }
-}
-
-void cover_corners(const SmoothShape& shape, std::int32_t x, std::int32_t y, Areas& area) {
-  const auto count = static_cast<std::size_t>(shape.corner_count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const Corner &from = shape.corner[i], &to = shape.corner[i + 1 < count ? i + 1 : 0];
-    add_edge({from.x - x, from.y - y}, {to.x - x, to.y - y}, area);
-  }
-  for (double& a : area) a = std::abs(a);
-}
-
-/// The share of the disc around (0, 0) in the unit square whose lower left corner is (x, y).
-double disc_in_pixel(double x, double y, double radius) {
-  constexpr int strips = 32;
-  // Mirror, so that the square lies further up than to the right: strips are then cut where the circle is flat.
-  x = std::abs(x + 0.5) - 0.5;
-  y = std::abs(y + 0.5) - 0.5;
-  if (x > y) std::swap(x, y);
-  const double squared = radius * radius, far_x = x + 1.0, far_y = y + 1.0;
-  const double near_x = std::max(x, 0.0), near_y = std::max(y, 0.0);
-  if (far_x * far_x + far_y * far_y <= squared) return 1.0;
-  if (near_x * near_x + near_y * near_y >= squared) return 0.0;
-  // Strips of that part of the square's width over which the disc reaches into it.
-  const double reach = std::sqrt(squared - near_y * near_y);
-  const double left = std::max(x, -reach), width = std::min(far_x, reach) - left;
-  double area = 0;
-  for (int strip = 0; strip < strips; ++strip) {
-    const double at = left + width * ((strip + 0.5) / strips), half_chord = std::sqrt(std::max(squared - at * at, 0.0));
-    area += std::max(std::min(far_y, half_chord) - std::max(y, -half_chord), 0.0);
-  }
-  return area * width / strips;
-}
-
-void cover_disc(const SmoothShape& shape, std::int32_t x, std::int32_t y, Areas& area) {
-  const Corner& center = shape.corner[0];
-  for (std::size_t lane = 0; lane < 64; ++lane) {
-    const double left = x + static_cast<double>(lane % 8) - center.x, bottom = y + static_cast<double>(lane / 8) - center.y;
-    area[lane] = disc_in_pixel(left, bottom, shape.radius);
-  }
-}
 
 /// Whether a point lies inside: left and bottom edges own theirs.
 bool is_inside(const SmoothShape& shape, double x, double y) {
@@ -119,27 +41,21 @@ std::uint64_t sample_block(const SmoothShape& shape, std::int32_t x, std::int32_
   return covered;
 }
 
-Areas areas_of(const SmoothShape& shape, std::int32_t x, std::int32_t y) {
-  Areas area{};
-  if (shape.corner_count == 0) {
-    cover_disc(shape, x, y, area);
-  } else {
-    cover_corners(shape, x, y, area);
-  }
-  return area;
-}
-
-/// Calls draw(block) for every block of the tile that the box touches.
-template <class Box, class DrawBlock>
-void for_each_block(const Box& box, std::int32_t tile_x, std::int32_t tile_y, DrawBlock draw) {
-  const std::int32_t column0 = std::max(box.x0 - tile_x, 0) / block_size, row0 = std::max(box.y0 - tile_y, 0) / block_size;
-  const std::int32_t column1 = (std::min(box.x1 - tile_x, tile_size) - 1) / block_size;
-  const std::int32_t row1 = (std::min(box.y1 - tile_y, tile_size) - 1) / block_size;
+/// Calls draw(block) for every block of the tile that the box touches, row by row. `columns(y)` is the stretch outside of
+/// which a row of blocks has nothing.
+template <class Box, class Columns, class DrawBlock>
+void for_each_block(const Box& box, std::int32_t tile_x, std::int32_t tile_y, Columns columns, DrawBlock draw) {
+  const std::int32_t x0 = std::max(box.x0 - tile_x, 0), x1 = std::min(box.x1 - tile_x, tile_size) - 1;
+  const std::int32_t y0 = std::max(box.y0 - tile_y, 0), y1 = std::min(box.y1 - tile_y, tile_size) - 1;
   FragmentBlock block;
-  for (std::int32_t row = row0; row <= row1; ++row) {
-    for (std::int32_t column = column0; column <= column1; ++column) {
+  for (std::int32_t row = y0 / block_size; row <= y1 / block_size; ++row) {
+    block.y = tile_y + row * block_size;
+    const Stretch stretch = columns(block.y);
+    if (!(stretch.x0 - tile_x <= x1 + 1 && stretch.x1 - tile_x >= x0)) continue;
+    const auto first = static_cast<std::int32_t>(std::max(stretch.x0 - tile_x, static_cast<double>(x0)));
+    const auto last = static_cast<std::int32_t>(std::min(stretch.x1 - tile_x, static_cast<double>(x1)));
+    for (std::int32_t column = first / block_size; column <= last / block_size; ++column) {
       block.x = tile_x + column * block_size;
-      block.y = tile_y + row * block_size;
       block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
       draw(block);
     }
@@ -165,7 +81,12 @@ struct SharedBlock {
 
 std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage) {
   if (shape.sampled) return sample_block(shape, x, y, coverage);
-  const Areas area = areas_of(shape, x, y);
+  if (place_of_block(shape, x, y) == BlockPlace::inside) {
+    coverage.fill(1.0f);
+    return ~std::uint64_t{0};
+  }
+  Areas area;
+  areas_of(shape, x, y, area);
   std::uint64_t covered = 0;
   for (std::size_t lane = 0; lane < 64; ++lane) {
     coverage[lane] = static_cast<float>(std::min(area[lane], 1.0));
@@ -187,7 +108,8 @@ PixelRect box_of(const SmoothShape& shape) {
 }
 
 void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
-  for_each_block(primitive, tile_x, tile_y, [&](FragmentBlock& block) {
+  const auto columns = [&](std::int32_t y) { return stretch_of(*primitive.shape, y); };
+  for_each_block(primitive, tile_x, tile_y, columns, [&](FragmentBlock& block) {
     block.primitive = &primitive;
     block.coverage = cover_block(*primitive.shape, block.x, block.y, block.pixel_coverage) & box_mask(primitive, block.x, block.y);
     if (block.coverage != 0) run_passes(primitive.binding->passes, block, target);
@@ -196,10 +118,23 @@ void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std
 
 void rasterize_smooth(const SmoothPolygon& polygon, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
   const std::span parts(polygon.part, static_cast<std::size_t>(polygon.part_count));
-  for_each_block(polygon, tile_x, tile_y, [&](FragmentBlock& block) {
+  const auto columns = [&](std::int32_t y) {
+    Stretch all = stretch_of(*parts[0]->shape, y);
+    for (const PrimitiveRecord* part : parts.subspan(1)) {
+      const Stretch stretch = stretch_of(*part->shape, y);
+      all = {std::min(all.x0, stretch.x0), std::max(all.x1, stretch.x1)};
+    }
+    return all;
+  };
+  for_each_block(polygon, tile_x, tile_y, columns, [&](FragmentBlock& block) {
     SharedBlock shared;
     for (const PrimitiveRecord* part : parts) {
-      if (box_mask(*part, block.x, block.y) != 0) shared.add(*part, areas_of(*part->shape, block.x, block.y));
+      if (box_mask(*part, block.x, block.y) == 0) continue;
+      const BlockPlace place = place_of_block(*part->shape, block.x, block.y);
+      if (place == BlockPlace::outside) continue;
+      Areas area;
+      place == BlockPlace::inside ? area.fill(1.0) : areas_of(*part->shape, block.x, block.y, area);
+      shared.add(*part, area);
     }
     for (const PrimitiveRecord* part : parts) {
       block.coverage = 0;

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
+
+#include "pipeline/raster/areas.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -54,6 +58,35 @@ TEST(Smooth, AreasOfTrianglesAddUpWhicheverWayTheyTurn) {
     const auto& [a, b, c, unused] = triangle.corner;
     const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
     ASSERT_NEAR(sum_of(triangle), area, 1e-4);
+  }
+}
+
+/// The least and the largest area of a pixel in the block.
+std::pair<double, double> range_of_areas(const SmoothShape& shape, std::int32_t x, std::int32_t y) {
+  Areas area;
+  areas_of(shape, x, y, area);
+  const auto [least, largest] = std::minmax_element(area.begin(), area.end());
+  return {*least, *largest};
+}
+
+TEST(Smooth, BlocksThatAreLeftOutHaveNothing) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-10, 60);
+  for (int i = 0; i < 300; ++i) {
+    SmoothShape shape;
+    shape.corner_count = i % 3 == 0 ? 0 : 3;
+    for (std::size_t k = 0; k < 3; ++k) shape.corner[k] = {place(random), place(random)};
+    if (shape.corner_count == 0) shape.radius = 0.2 * place(random) + 3;
+    for (std::int32_t y = -16; y < 72; y += 8) {
+      const Stretch stretch = stretch_of(shape, y);
+      for (std::int32_t x = -16; x < 72; x += 8) {
+        const auto [least, largest] = range_of_areas(shape, x, y);
+        const BlockPlace block = place_of_block(shape, x, y);
+        const bool left_out = stretch.x0 > x + 8 || stretch.x1 < x || block == BlockPlace::outside;
+        ASSERT_TRUE(!left_out || largest < least_coverage);
+        ASSERT_TRUE(block != BlockPlace::inside || least > 1 - 1e-9);
+      }
+    }
   }
 }
 
