@@ -140,6 +140,7 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
     if (plan.sample_alpha) plan.fragment.add(sample_alpha_pass(target.color));
   };
   if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
+  plan.fragment.early = plan.fragment.count;
   const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
   if (shades_first) shade();
   if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
@@ -151,6 +152,7 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
     plan.fragment.add(depth_test);
   }
   if (plan.counts_samples) plan.fragment.add(sample_count_pass());
+  if (!shades_first) plan.fragment.early = plan.fragment.count;
   if (!plan.writes_color) return;
   const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings;  // between interpolation and write
   if (keeps_colors && !shades_first) shade();

@@ -94,6 +94,23 @@ TEST(Plan, ADepthTestThatAlwaysPassesAndWritesNothingIsAbsent) {
   EXPECT_EQ(stages(state), stages(unlit()));
 }
 
+TEST(Plan, RunsThePassesThatNeedNoColorsEarly) {
+  DrawState state = unlit();
+  EXPECT_EQ(make_plan(state, window).fragment.early, 0);
+  state.raster.depth = {true, true, CompareFunc::less};
+  EXPECT_EQ(make_plan(state, window).fragment.early, 1);
+  state.raster.polygon_stipple.enabled = true;
+  state.raster.counts_samples = true;
+  EXPECT_EQ(make_plan(state, window).fragment.early, 3);
+  // The alpha test comes before the depth test [GL1.5 §4.1.4] and needs colours.
+  state.raster.alpha_test = {true, CompareFunc::greater, 0.5f};
+  EXPECT_EQ(make_plan(state, window).fragment.early, 1);
+  state.raster.color_write_mask = 0;
+  state.raster.alpha_test.enabled = false;
+  const FragmentPasses passes = make_plan(state, window).fragment;
+  EXPECT_EQ(passes.early, passes.count);
+}
+
 TEST(Plan, BlendsBetweenInterpolationAndWrite) {
   DrawState state = unlit();
   state.raster.blend = {true, {BlendEquation::add, BlendFactor::source_alpha, BlendFactor::one_minus_source_alpha},

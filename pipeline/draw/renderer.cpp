@@ -33,6 +33,7 @@
 #include "pipeline/raster/homogeneous.h"
 #include "pipeline/raster/method_triangle.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/raster/triangles.h"
 #include "pipeline/simd/float_mode.h"
 
 namespace gouraud::pipeline {
@@ -121,8 +122,11 @@ struct Renderer::Implementation {
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   void draw_primitives(const DrawState& state, const VertexBatch& batch);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
+  void draw_range_of_triangles(const PrimitiveRange& range);
+  SharedVertices share_vertices(const PrimitiveRange& range);
   void draw_triangle(const AssembledTriangle& triangle);
   void flush_triangles();
+  void select_and_add(std::span<const AssembledTriangle> triangles, SharedVertices of_range);
   void set_up_smooth_part(const WaitingTriangle& triangle);
   void finish_polygons();
   void flush_shapes();
@@ -172,9 +176,10 @@ struct Renderer::Implementation {
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
-  alignas(64) std::array<std::byte, setup_batch * largest_waiting> selected;  ///< of those, the ones to draw
+  alignas(64) std::array<std::byte, selection_batch * largest_waiting> selected;  ///< of those, the ones to draw
   std::vector<const PrimitiveRecord*> smooth_parts;  ///< of the smooth polygon that is being drawn
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
+  SharedVertices shared;                 ///< of the batch, for its indexed ranges; none until one has asked
   std::vector<PixelPosition> pixels;
   StippleCount stipple_count = 0;  ///< goes on where a batch was cut
   bool clipped_quads = false;      ///< as well
@@ -247,18 +252,65 @@ void Renderer::Implementation::project(const DrawState& state) {
 void Renderer::Implementation::draw_triangle(const AssembledTriangle& triangle) {
   if (smooth_polygons && !triangle.continues) finish_polygons();
   ready.push_back(triangle);
-  if (ready.size() == setup_batch) flush_triangles();
+  if (ready.size() == selection_batch) flush_triangles();
 }
 
 void Renderer::Implementation::flush_triangles() {
   if (ready.empty()) return;
   if (setup->polygons.smooth) return flush_shapes();
-  const std::size_t bytes = waiting_size(*setup);
-  const std::size_t count = select_triangles(*setup, vertices, ready, selected.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    bins.add_triangle(*reinterpret_cast<const WaitingTriangle*>(selected.data() + i * bytes));
-  }
+  select_and_add(ready, {});
   ready.clear();
+}
+
+void Renderer::Implementation::select_and_add(std::span<const AssembledTriangle> triangles, SharedVertices of_range) {
+  while (!triangles.empty()) {
+    const auto some = triangles.first(std::min(triangles.size(), selection_batch));
+    triangles = triangles.subspan(some.size());
+    const std::size_t count = select_triangles(*setup, vertices, some, of_range, selected.data());
+    bins.add_triangles(*setup, selected.data(), count, of_range.kept != nullptr);
+  }
+}
+
+/// Vertices that the triangles of a range share, if it pays: two of three corners must be another triangle's too.
+SharedVertices Renderer::Implementation::share_vertices(const PrimitiveRange& range) {
+  const std::int32_t used = range.indexed ? batch_count : range.count;
+  if (!may_share_vertices(*setup) || 2 * assembled.triangles.size() <= static_cast<std::size_t>(used)) return {};
+  if (range.indexed && shared.kept != nullptr) return shared;
+  const std::int32_t first = range.indexed ? 0 : range.first;
+  const auto count = static_cast<std::size_t>(used);
+  auto* const memory = static_cast<std::byte*>(bins.allocate(count * kept_vertex_size(*setup)));
+  const SharedVertices result{keep_vertices(*setup, vertices, static_cast<std::size_t>(first), count, memory),
+                              static_cast<std::uint16_t>(first)};
+  if (range.indexed) shared = result;
+  return result;
+}
+
+/// Those that the clip volume holds wholly go on in stretches. Others have vertices of the clipper's, which are soon
+/// overwritten: their parts keep their own.
+void Renderer::Implementation::draw_range_of_triangles(const PrimitiveRange& range) {
+  const std::span<const AssembledTriangle> triangles = assembled.triangles;
+  if (triangles.empty()) return;
+  const bool plain = !unfilled && !setup->polygons.smooth;
+  const SharedVertices of_range = plain ? share_vertices(range) : SharedVertices{};
+  const auto is_inside = [this](const AssembledTriangle& triangle) {
+    const auto& outcode = vertices.outcode;
+    return (outcode[triangle.vertex[0]] | outcode[triangle.vertex[1]] | outcode[triangle.vertex[2]]) == 0;
+  };
+  for (std::size_t i = 0; i < triangles.size();) {
+    if (!is_inside(triangles[i])) {
+      clip_and_draw(triangles[i++]);
+      continue;
+    }
+    const std::size_t first = i++;
+    if (!plain) {
+      emit(triangles[first]);
+      continue;
+    }
+    while (i < triangles.size() && is_inside(triangles[i])) ++i;
+    flush_triangles();
+    select_and_add(triangles.subspan(first, i - first), of_range);
+  }
+  finish_polygons();
 }
 
 /// Triangles whose pixels their edges alone do not give: smooth ones, and those of other methods.
@@ -266,7 +318,7 @@ void Renderer::Implementation::flush_shapes() {
   for (const AssembledTriangle& triangle : ready) {
     if (homogeneous) {
       add_homogeneous_triangle(triangle);
-    } else if (select_triangles(*setup, vertices, {&triangle, 1}, selected.data()) > 0) {
+    } else if (select_triangles(*setup, vertices, {&triangle, 1}, {}, selected.data()) > 0) {
       const auto& waiting = *reinterpret_cast<const WaitingTriangle*>(selected.data());
       smooth_polygons ? set_up_smooth_part(waiting) : add_method_triangle(waiting);
     }
@@ -301,11 +353,10 @@ bool Renderer::Implementation::draw_unclipped(const AssembledTriangle& triangle)
 
 /// A smooth polygon has one fragment in each pixel, whatever triangles it was split into [GL1.5 §3.5.3].
 void Renderer::Implementation::set_up_smooth_part(const WaitingTriangle& triangle) {
-  const WaitingTriangle* const one = &triangle;
   auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
-  setup_triangles({&one, 1}, memory);
+  set_up_triangle(*setup, triangle, memory);
   auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
-  record.shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape(smooth_triangle(triangle));
+  record.shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape(smooth_triangle(*setup, triangle));
   record.scissored = true;
   smooth_parts.push_back(&record);
 }
@@ -336,12 +387,11 @@ void Renderer::Implementation::finish_polygons() {
 
 /// A triangle whose pixels another method than the default finds.
 void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triangle) {
-  const WaitingTriangle* const one = &triangle;
   auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
-  setup_triangles({&one, 1}, memory);
+  set_up_triangle(*setup, triangle, memory);
   auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
   record.scissored = true;
-  record.shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(triangle, methods, record));
+  record.shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(*setup, triangle, methods, record));
   bins.add_smooth(record);
 }
 
@@ -467,6 +517,7 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   smooth_parts.clear();
+  shared = {};
   const bool lasting_diagonal = unfilled || state.assembly.shade_model == ShadeModel::flat || state.raster.polygon_stipple.enabled;
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
     const PrimitiveRange& range = batch.primitives[i];
@@ -480,16 +531,7 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
     assemble(range, other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, assembled);
     if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
     if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
-    for (const AssembledTriangle& triangle : assembled.triangles) {
-      const auto& outcode = vertices.outcode;
-      const unsigned outside = outcode[triangle.vertex[0]] | outcode[triangle.vertex[1]] | outcode[triangle.vertex[2]];
-      if (outside == 0) {
-        emit(triangle);
-      } else {
-        clip_and_draw(triangle);
-      }
-    }
-    finish_polygons();
+    draw_range_of_triangles(range);
     // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
     const bool independent = range.mode == PrimitiveMode::lines;
     if (range.begins) stipple_count = 0;

@@ -12,6 +12,7 @@
 #include "pipeline/framebuffer/accumulation.h"
 #include "pipeline/framebuffer/clear.h"
 #include "pipeline/raster/bitmaps.h"
+#include "pipeline/raster/lines.h"
 #include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
@@ -26,19 +27,17 @@ constexpr std::size_t entry_limit = std::size_t{1} << 19;
 constexpr std::size_t entries_worth_waking = 64;
 
 /// What a tile's entries refer to lies scattered over the arena: it is fetched this many primitives ahead of its use, and
-/// the depths that a small triangle will be tested against this many.
-constexpr std::int32_t prefetch_distance = 24, prefetch_depth_distance = 8;
+/// what that refers to again (shared vertices, the depths that a small triangle will be tested against) this many.
+constexpr std::int32_t prefetch_distance = 64, prefetch_near_distance = 32;
 
 /// A triangle that touches more tiles than this is set up once, before it is binned.
 constexpr std::int32_t few_tiles = 4;
 
-/// Triangles that a tile sets up together.
-constexpr std::size_t tile_setup_batch = 8;
-
 /// The first run of a state in a tile holds one primitive, and each further one twice as many, up to this: a draw of one
 /// triangle takes no more memory than that.
 constexpr std::uint8_t longest_run = 8;
-static_assert(longest_run <= tile_setup_batch);
+static_assert(longest_run <= group_capacity);
+static_assert(largest_waiting <= 0xFFFF);
 
 constexpr std::size_t largest_record =
     sizeof(ColoredPrimitive) + sizeof(VaryingRecord) + (max_varyings * sizeof(VaryingPlane) + 63) / 64 * 64;
@@ -139,11 +138,13 @@ void TileBins::add_to_bin(std::int32_t bin_index, const Entry& entry) {
 
 void TileBins::add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes) {
   const auto copy_to = [&](std::byte* to) {
-    for (std::size_t line = 0; line < bytes; line += 64) std::memcpy(to + line, static_cast<const std::byte*>(from) + line, 64);
+    constexpr std::size_t part = sizeof(WaitingTriangle);
+    static_assert(sizeof(KeptVertex) % part == 0 && sizeof(WaitingLine) % part == 0);
+    for (std::size_t at = 0; at < bytes; at += part) std::memcpy(to + at, static_cast<const std::byte*>(from) + at, part);
   };
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(first_bin_ + tile)];
   std::uint8_t capacity = 1;
-  if (!bin.empty() && bin.back().kind == kind && bin.back().state == &state) {
+  if (!bin.empty() && bin.back().kind == kind && bin.back().state == &state && bin.back().bytes == bytes) {
     Entry& run = bin.back();
     if (run.count < run.capacity) {
       copy_to(static_cast<std::byte*>(const_cast<void*>(run.what)) + static_cast<std::size_t>(run.count) * bytes);
@@ -156,24 +157,27 @@ void TileBins::add_to_run(std::int32_t tile, EntryKind kind, const SetupState& s
   auto* memory = static_cast<std::byte*>(arena_.allocate(capacity * bytes));
   for (std::size_t line = 0; line < capacity * bytes; line += 64) __builtin_prefetch(memory + line, 1);
   copy_to(memory);
-  add(tile, {.what = memory, .kind = kind, .capacity = capacity, .state = &state});
+  add(tile, {.what = memory, .kind = kind, .capacity = capacity, .bytes = static_cast<std::uint16_t>(bytes), .state = &state});
 }
 
-void TileBins::add_triangle(const WaitingTriangle& triangle) {
+void TileBins::add_triangle(const SetupState& state, const WaitingTriangle& triangle, std::size_t bytes) {
   const std::int32_t first_x = triangle.x0 / tile_size, last_x = (triangle.x1 - 1) / tile_size;
   const std::int32_t first_y = triangle.y0 / tile_size, last_y = (triangle.y1 - 1) / tile_size;
   if ((last_x - first_x + 1) * (last_y - first_y + 1) > few_tiles) {
-    const WaitingTriangle* const one = &triangle;
-    auto* record = static_cast<std::byte*>(arena_.allocate(record_size(*triangle.state)));
-    setup_triangles({&one, 1}, record);
+    auto* record = static_cast<std::byte*>(arena_.allocate(record_size(state)));
+    set_up_triangle(state, triangle, record);
     return add_polygon(*reinterpret_cast<PrimitiveRecord*>(record));
   }
-  const std::size_t bytes = waiting_size(*triangle.state);
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
-      add_to_run(y * target_->tiles_x + x, EntryKind::triangles, *triangle.state, &triangle, bytes);
+      add_to_run(y * target_->tiles_x + x, EntryKind::triangles, state, &triangle, bytes);
     }
   }
+}
+
+void TileBins::add_triangles(const SetupState& state, const std::byte* waiting, std::size_t count, bool share) {
+  const std::size_t bytes = waiting_size(state, share);
+  for (std::size_t i = 0; i < count; ++i) add_triangle(state, *reinterpret_cast<const WaitingTriangle*>(waiting + i * bytes), bytes);
 }
 
 void TileBins::add_polygon(const PrimitiveRecord& record) {
@@ -319,74 +323,92 @@ class TileBins::LookAhead {
   /// Entry `i` has been run: they are in order.
   void pass(std::size_t i) {
     ahead_ -= bin_[i].count;
-    depth_ahead_ -= bin_[i].count;
+    near_ahead_ -= bin_[i].count;
     fetch();
   }
 
  private:
   void fetch() {
     for (; fetched_ < bin_.size() && ahead_ < prefetch_distance; ahead_ += bin_[fetched_++].count) prefetch(bin_[fetched_]);
-    if (depth_ == nullptr) return;
-    for (; depth_fetched_ < bin_.size() && depth_ahead_ < prefetch_depth_distance; depth_ahead_ += bin_[depth_fetched_++].count) {
-      prefetch_depths(bin_[depth_fetched_]);
+    for (; near_fetched_ < bin_.size() && near_ahead_ < prefetch_near_distance; near_ahead_ += bin_[near_fetched_++].count) {
+      if (bin_[near_fetched_].kind == EntryKind::triangles) prefetch_of_triangles(bin_[near_fetched_]);
     }
   }
 
   static void prefetch(const Entry& entry) {
-    std::size_t size = sizeof(ColoredPrimitive);
-    if (entry.kind == EntryKind::triangles) size = static_cast<std::size_t>(entry.count) * waiting_size(*entry.state);
-    if (entry.kind == EntryKind::lines) size = static_cast<std::size_t>(entry.count) * sizeof(WaitingLine);
+    const std::size_t size = entry.bytes > 0 ? static_cast<std::size_t>(entry.count) * entry.bytes : sizeof(ColoredPrimitive);
     const auto* bytes = static_cast<const std::byte*>(entry.what);
     for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
   }
 
-  void prefetch_depths(const Entry& entry) const {
-    if (entry.kind != EntryKind::triangles) return;
-    const std::size_t bytes = waiting_size(*entry.state);
+  void prefetch_of_triangles(const Entry& entry) const {
+    const std::size_t vertex_bytes = kept_vertex_size(*entry.state);
     const auto* triangles = static_cast<const std::byte*>(entry.what);
     for (std::size_t i = 0; i < static_cast<std::size_t>(entry.count); ++i) {
-      prefetch_depth(*reinterpret_cast<const WaitingTriangle*>(triangles + i * bytes), x_, y_, depth_, bytes_per_depth_);
+      const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(triangles + i * entry.bytes);
+      if (triangle.shared != nullptr) {
+        for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(&vertex_of(triangle, k, vertex_bytes));
+      }
+      if (depth_ != nullptr) prefetch_depth(triangle, x_, y_, depth_, bytes_per_depth_);
     }
   }
 
   std::span<const Entry> bin_;
   std::int32_t x_, y_, bytes_per_depth_;
   const std::byte* depth_;
-  std::size_t fetched_ = 0, depth_fetched_ = 0;  ///< the first entry that is not
-  std::int32_t ahead_ = 0, depth_ahead_ = 0;     ///< primitives before it that have not been run
+  std::size_t fetched_ = 0, near_fetched_ = 0;  ///< the first entry that is not
+  std::int32_t ahead_ = 0, near_ahead_ = 0;     ///< primitives before it that have not been run
 };
 
+/// A group goes through depth setup, coverage and the early passes before any of it is coloured, and what is hidden never
+/// is. Among themselves the blocks keep their order in both halves.
 std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
-                                    PolygonRasterizer rasterize) {
+                                    GroupRasterizer rasterize) {
   const SetupState& state = *entries[0].state;
-  const std::size_t waiting_bytes = waiting_size(state), bytes = record_size(state);
-  std::array<const WaitingTriangle*, tile_setup_batch> triangles;
-  std::size_t count = 0, done = 0;
+  alignas(64) std::array<std::byte, group_capacity * largest_record> records;
+  TriangleGroup group(state, records.data());
+  std::size_t done = 0;
   for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state; ++done) {
-    const auto more = static_cast<std::size_t>(entries[done].count);
-    if (count + more > tile_setup_batch) break;
-    const auto* first = static_cast<const std::byte*>(entries[done].what);
-    for (std::size_t i = 0; i < more; ++i) {
-      triangles[count++] = reinterpret_cast<const WaitingTriangle*>(first + i * waiting_bytes);
-    }
+    const Entry& run = entries[done];
+    const auto more = static_cast<std::size_t>(run.count);
+    if (group.count + more > group_capacity) break;
+    const auto* first = static_cast<const std::byte*>(run.what);
+    for (std::size_t i = 0; i < more; ++i) group.add(*reinterpret_cast<const WaitingTriangle*>(first + i * run.bytes));
   }
-  alignas(64) std::array<std::byte, tile_setup_batch * largest_record> records;
-  setup_triangles({triangles.data(), count}, records.data());
-  for (std::size_t i = 0; i < count; ++i) {
-    rasterize(*reinterpret_cast<const PrimitiveRecord*>(records.data() + i * bytes), x, y, pixels);
+  set_up_depths(group);
+  std::array<SeenBlock, most_seen_blocks> seen;
+  const std::size_t count = rasterize(group, x, y, pixels, seen.data());
+  if (count == 0) return done;
+
+  std::uint32_t seen_triangles = 0;
+  for (const SeenBlock& found : std::span(seen).first(count)) seen_triangles |= 1u << found.primitive;
+  set_up_colors(group, seen_triangles);
+  const FragmentPasses& passes = state.binding->passes;
+  FragmentBlock block;
+  for (const SeenBlock& found : std::span(seen).first(count)) {
+    block.coverage = found.coverage;
+    block.x = found.x;
+    block.y = found.y;
+    block.first_pixel = found.first_pixel;
+    block.primitive = &group.record(static_cast<std::size_t>(found.primitive));
+    run_passes(passes, passes.early, passes.count, block, pixels);
   }
   return done;
 }
 
 void TileBins::run_lines(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, PolygonRasterizer rasterize) {
-  alignas(64) std::array<std::byte, sizeof(ColoredPrimitive)> memory;
-  for (const WaitingLine& line : std::span(static_cast<const WaitingLine*>(entry.what), static_cast<std::size_t>(entry.count))) {
-    setup_waiting_line(line, memory.data());
-    rasterize(*reinterpret_cast<const PrimitiveRecord*>(memory.data()), x, y, pixels);
+  const std::span lines(static_cast<const WaitingLine*>(entry.what), static_cast<std::size_t>(entry.count));
+  const bool thin = entry.state->lines.width_px == 1.0f;
+  const std::size_t bytes = record_size(*entry.state);
+  alignas(64) std::array<std::byte, longest_run * sizeof(ColoredPrimitive)> records;
+  setup_waiting_lines(lines, records.data());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const auto& record = *reinterpret_cast<const PrimitiveRecord*>(records.data() + i * bytes);
+    thin ? rasterize_thin_line(record, x, y, pixels) : rasterize(record, x, y, pixels);
   }
 }
 
-void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
+void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(bin_index)];
   const std::int32_t tiles = target_->tile_count(), tile = bin_index % tiles;
   const Framebuffer& target = samples_.empty() ? *target_ : samples_[static_cast<std::size_t>(bin_index / tiles)];
@@ -404,8 +426,8 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
     switch (entry.kind) {
       case EntryKind::accum: accumulate_tile(target, tile, *static_cast<const AccumState*>(entry.what)); break;
       case EntryKind::clear: clear_tile(target, tile, *static_cast<const ClearState*>(entry.what)); break;
-      case EntryKind::polygon: rasterize(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
-      case EntryKind::lines: run_lines(entry, x, y, pixels, rasterize); break;
+      case EntryKind::polygon: rasterize.polygon(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
+      case EntryKind::lines: run_lines(entry, x, y, pixels, rasterize.polygon); break;
       case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
       case EntryKind::smooth: {
         const auto& record = *static_cast<const PrimitiveRecord*>(entry.what);
@@ -413,7 +435,7 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
         break;
       }
       case EntryKind::smooth_polygon: rasterize_smooth(*static_cast<const SmoothPolygon*>(entry.what), x, y, pixels); break;
-      case EntryKind::triangles: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize); break;
+      case EntryKind::triangles: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize.group); break;
       case EntryKind::blocks: {
         FragmentBlock block;
         block.primitive = static_cast<const PrimitiveRecord*>(entry.what);
@@ -434,7 +456,7 @@ void TileBins::run_bin(std::int32_t bin_index, PolygonRasterizer rasterize) {
 
 void TileBins::run() {
   if (touched_.empty()) return;
-  const PolygonRasterizer rasterize = polygon_rasterizer();
+  const Rasterizers rasterize{polygon_rasterizer(), group_rasterizer()};
   workers_.run(static_cast<std::int32_t>(touched_.size()), entry_count_ >= entries_worth_waking,
                [&](std::int32_t i) { run_bin(touched_[static_cast<std::size_t>(i)], rasterize); });
   touched_.clear();

@@ -15,6 +15,7 @@
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/primitive.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/raster/triangles.h"
 #include "pipeline/texture/texture_units.h"
 
 namespace gouraud::pipeline {
@@ -67,10 +68,12 @@ class TileBins {
 
   /// Which sample of each pixel the next primitives are for. Clears are for all.
   void select_sample(std::int32_t sample) { first_bin_ = sample * target_->tile_count(); }
-  /// Copied, with its varyings; so is the line of add_line().
-  void add_triangle(const WaitingTriangle& triangle);
+  /// `count` triangles as select_triangles() wrote them, waiting_size bytes each: they are copied, and what they share
+  /// has to be in memory of allocate().
+  void add_triangles(const SetupState& state, const std::byte* waiting, std::size_t count, bool share);
   /// Every pixel inside the record's edges and box.
   void add_polygon(const PrimitiveRecord& record);
+  /// Copied too.
   void add_line(const WaitingLine& line);
   void add_point(const SetupState& state, const WaitingPoint& point);
   /// Every pixel of the record's box that its shape touches, as the shape's rasterizer sees it.
@@ -101,6 +104,7 @@ class TileBins {
     const void* what = nullptr;
     EntryKind kind = EntryKind::polygon;
     std::uint8_t capacity = 1;   ///< of a run
+    std::uint16_t bytes = 0;     ///< of each primitive of a run
     std::int32_t count = 1;      ///< triangles or lines of a run, blocks of a list
     const SetupState* state = nullptr;  ///< of a run
     const BlockMask* blocks = nullptr;
@@ -108,15 +112,20 @@ class TileBins {
   template <class Box>
   void add_box(const Box& box, const Entry& entry);
   void add_to_tiles(const PixelRect& box, const Entry& entry);
+  void add_triangle(const SetupState& state, const WaitingTriangle& triangle, std::size_t bytes);
   void add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes);
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);
   void add(std::int32_t tile, const Entry& entry) { add_to_bin(first_bin_ + tile, entry); }
   void add_to_bin(std::int32_t bin_index, const Entry& entry);
   void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
-  void run_bin(std::int32_t bin_index, PolygonRasterizer rasterize);
+  struct Rasterizers {
+    PolygonRasterizer polygon;
+    GroupRasterizer group;
+  };
+  void run_bin(std::int32_t bin_index, const Rasterizers& rasterize);
   /// The first entry and the triangles of equal state right after it. Returns the number of entries done.
   static std::size_t run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
-                                   PolygonRasterizer rasterize);
+                                   GroupRasterizer rasterize);
   static void run_lines(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, PolygonRasterizer rasterize);
   class LookAhead;
 

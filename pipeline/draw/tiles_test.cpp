@@ -46,10 +46,9 @@ class Canvas {
         vertices->color_front[k] = v.color;
       }
       const AssembledTriangle triangle{{0, 1, 2}, 2, 7};
-      auto* waiting = static_cast<std::byte*>(bins.allocate(waiting_size(*shared)));
-      if (select_triangles(*shared, *vertices, {&triangle, 1}, waiting) == 1) {
-        bins.add_triangle(*reinterpret_cast<WaitingTriangle*>(waiting));
-      }
+      alignas(64) std::array<std::byte, largest_waiting> waiting;
+      const std::size_t count = select_triangles(*shared, *vertices, {&triangle, 1}, {}, waiting.data());
+      bins.add_triangles(*shared, waiting.data(), count, false);
     }
     bins.run();
   }

@@ -13,6 +13,7 @@
 #include "pipeline/geometry/test_support.h"
 #include "pipeline/geometry/texture_coordinates.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/raster/triangles.h"
 #include "pipeline/texture/image.h"
 
 namespace gouraud::pipeline {
@@ -33,9 +34,8 @@ struct Road {
   bool set_up() {
     alignas(64) std::array<std::byte, 1024> waiting;
     const AssembledTriangle triangle{{0, 1, 2}, 2, 7};
-    if (select_triangles(state, *vertices, {&triangle, 1}, waiting.data()) == 0) return false;
-    const auto* selected = reinterpret_cast<const WaitingTriangle*>(waiting.data());
-    setup_triangles({&selected, 1}, memory.data());
+    if (select_triangles(state, *vertices, {&triangle, 1}, {}, waiting.data()) == 0) return false;
+    set_up_triangle(state, *reinterpret_cast<const WaitingTriangle*>(waiting.data()), memory.data());
     return true;
   }
   const PrimitiveRecord& record() const { return *reinterpret_cast<const PrimitiveRecord*>(memory.data()); }

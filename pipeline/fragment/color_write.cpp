@@ -24,14 +24,14 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 
 /// The planes of a primitive's colour at one block.
 struct BlockColor {
-  alignas(64) float base[8];
-  alignas(64) float dx[8], dy[8];
+  alignas(32) float base[4];
+  alignas(32) float dx[4], dy[4];
 
   HWY_INLINE BlockColor(const ColorRecord& color, std::int32_t x, std::int32_t y) {
-    const hn::CappedTag<double, 8> d;
+    const hn::CappedTag<double, 4> d;
     const hn::Rebind<float, decltype(d)> df;
     const auto vx = hn::Set(d, static_cast<double>(x)), vy = hn::Set(d, static_cast<double>(y));
-    for (std::size_t i = 0; i < 8; i += hn::Lanes(d)) {
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(d)) {
       const auto rise_x = hn::Load(d, color.dx.data() + i), rise_y = hn::Load(d, color.dy.data() + i);
       const auto value = hn::Add(hn::Add(hn::Load(d, color.origin.data() + i), hn::Mul(rise_x, vx)), hn::Mul(rise_y, vy));
       hn::Store(hn::DemoteTo(df, value), df, base + i);
@@ -41,6 +41,11 @@ struct BlockColor {
   }
   HWY_INLINE BlockPlane plane(std::size_t k) const { return {base[k], dx[k], dy[k]}; }
 };
+
+HWY_INLINE BlockPlane inverse_w_plane(const ColorRecord& color, std::int32_t x, std::int32_t y) {
+  return {static_cast<float>((color.inverse_w_origin + color.inverse_w_dx * x) + color.inverse_w_dy * y),
+          static_cast<float>(color.inverse_w_dx), static_cast<float>(color.inverse_w_dy)};
+}
 
 /// 8-bit targets: four channels packed into one word a pixel.
 template <bool all_channels>
@@ -161,7 +166,7 @@ HWY_INLINE void write_lanes(const FragmentBlock& block, const ColorRecord& color
   const FloatTag d;
   const BlockColor planes(color, block.x, block.y);
   const BlockPlane red = planes.plane(0), green = planes.plane(1), blue = planes.plane(2), alpha = planes.plane(3);
-  const BlockPlane inverse_w = planes.plane(ColorRecord::inverse_w);
+  const BlockPlane inverse_w = perspective ? inverse_w_plane(color, block.x, block.y) : BlockPlane{};
   const PairRange pairs = whole_block ? PairRange{0, row_pairs} : covered_pairs(block.coverage);
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
     FloatVector r = first_pair(red, offset), g = first_pair(green, offset);

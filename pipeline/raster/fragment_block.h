@@ -52,6 +52,9 @@ struct FragmentPasses {
   static constexpr int max_passes = 16;
   std::array<FragmentPass, max_passes> pass{};
   std::int32_t count = 0;
+  /// So many passes, the first ones, need neither colours nor varyings and touch no colour buffer: whoever draws several
+  /// primitives may run these for all before the others for any, and the picture is the same.
+  std::int32_t early = 0;
   /// The depth test that the stencil pass runs, where there is one of both.
   FragmentPass depth_in_stencil = nullptr;
 

@@ -107,7 +107,6 @@ void set_up_colors(const SetupState& state, const Weights& weights, const std::a
     const Rgba& c = colors[i];
     return std::array{c.r, c.g, c.b, c.a}[k] * scale;
   };
-  for (std::size_t k = 0; k < out.origin.size(); ++k) out.origin[k] = out.dx[k] = out.dy[k] = 0;
   const auto set_plane = [&](std::size_t k, const Plane& plane) {
     out.origin[k] = plane.origin;
     out.dx[k] = plane.dx;
@@ -120,7 +119,9 @@ void set_up_colors(const SetupState& state, const Weights& weights, const std::a
     out.minimum[k] = std::min(std::min({c0, c1, c2}), scale);
     out.maximum[k] = std::min(std::max({c0, c1, c2}), scale);
   }
-  set_plane(ColorRecord::inverse_w, weights.inverse_w);
+  out.inverse_w_origin = weights.inverse_w.origin;
+  out.inverse_w_dx = weights.inverse_w.dx;
+  out.inverse_w_dy = weights.inverse_w.dy;
   out.inverse_w_minimum = least_inverse_w;
   out.inverse_w_maximum = 1.0f;
   out.variation = ColorVariation::perspective;
@@ -193,7 +194,7 @@ bool setup_homogeneous(const SetupState& state, const ViewportState& viewport, c
     if (!is_finite(*plane)) return false;
   }
 
-  // The record: as setup_triangles writes it.
+  // The record: as set_up_triangle writes it.
   auto* bytes = static_cast<std::byte*>(memory);
   PrimitiveRecord& record = state.colors ? (new (bytes) ColoredPrimitive)->record : *new (bytes) PrimitiveRecord;
   record.binding = state.binding;

@@ -237,8 +237,9 @@ LinePixels select_line(const SetupState& state, const ProcessedVertices& vertice
   if (!coverage.is_simple()) return LinePixels::list;
   const PixelRect box = intersection(coverage.box(), state.scissor);
   if (box.empty()) return LinePixels::none;
-  out.window = {v0, v1};
-  out.color = colors_of_line(state, vertices, line);
+  const std::array<Rgba, 2> colors = colors_of_line(state, vertices, line);
+  out.vertex = {KeptVertex{v0, colors[0]}, KeptVertex{v1, colors[1]}};
+  out.edges = coverage.edges();
   out.state = &state;
   out.x0 = static_cast<std::int16_t>(box.x0);
   out.y0 = static_cast<std::int16_t>(box.y0);
@@ -250,12 +251,11 @@ LinePixels select_line(const SetupState& state, const ProcessedVertices& vertice
 
 void setup_waiting_line(const WaitingLine& line, void* memory) {
   const SetupState& state = *line.state;
-  PrimitiveRecord& record = write_line_record(state, line.window[0], line.window[1], line.color, 0.0, memory);
+  PrimitiveRecord& record = write_line_record(state, line.vertex[0].window, line.vertex[1].window,
+                                              {line.vertex[0].color, line.vertex[1].color}, 0.0, memory);
   record.back = line.back;
   set_box(state, {line.x0, line.y0, line.x1, line.y1}, record);
-  const auto [a, b] = snapped(state, line.window[0], line.window[1]);
-  const auto edges = LineCoverage(a, b, static_cast<std::int32_t>(state.lines.width_px)).edges();
-  record.edges = {edges[0], edges[1], {}};
+  record.edges = {line.edges[0], line.edges[1], {}};
 }
 
 bool are_plain_points(const SetupState& state) {

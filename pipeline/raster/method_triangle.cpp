@@ -47,12 +47,13 @@ ShapeRasterizer rasterizer_of(CoverageMethod method) {
 
 }  // namespace
 
-MethodTriangle method_triangle(const WaitingTriangle& triangle, const Methods& methods, PrimitiveRecord& record) {
+MethodTriangle method_triangle(const SetupState& state, const WaitingTriangle& triangle, const Methods& methods, PrimitiveRecord& record) {
   MethodTriangle result;
-  static_cast<SmoothShape&>(result) = smooth_triangle(triangle);
-  const std::int64_t top = (std::int64_t{triangle.state->target_height_px} - 1) * subpixels;
+  static_cast<SmoothShape&>(result) = smooth_triangle(state, triangle);
+  const std::int64_t top = (std::int64_t{state.target_height_px} - 1) * subpixels;
   for (std::size_t i = 0; i < 3; ++i) {
-    result.snapped[i] = {snap(triangle.window[i].x), top - snap(triangle.window[i].y_raster)};
+    const WindowVertex& window = vertex_of(triangle, i, kept_vertex_size(state)).window;
+    result.snapped[i] = {snap(window.x), top - snap(window.y_raster)};
   }
   if (methods.ownership != OwnershipMethod::top_left) set_edges(result, methods.ownership, record);
   result.smooth = false;

@@ -9,6 +9,7 @@
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/primitive.h"
 #include "pipeline/raster/setup.h"
+#include "pipeline/raster/triangles.h"
 
 namespace gouraud::pipeline {
 
@@ -32,7 +33,7 @@ struct MethodTriangle : SmoothShape {
 };
 
 /// The method's own part of a triangle that has been set up; the record's edges become those of the ownership wanted.
-MethodTriangle method_triangle(const WaitingTriangle& triangle, const Methods& methods, PrimitiveRecord& record);
+MethodTriangle method_triangle(const SetupState& state, const WaitingTriangle& triangle, const Methods& methods, PrimitiveRecord& record);
 
 inline const MethodTriangle& method_triangle_of(const PrimitiveRecord& record) {
   return static_cast<const MethodTriangle&>(*record.shape);

@@ -89,12 +89,11 @@ void make_color_planes(const GradientBasis& basis, const std::array<ShadedVertex
   }
   worst_overshoot *= snap_overshoot;
   out.variation = perspective ? ColorVariation::perspective : ColorVariation::affine;
-  for (std::size_t k = ColorRecord::inverse_w; k < out.origin.size(); ++k) out.origin[k] = out.dx[k] = out.dy[k] = 0;
   if (perspective) {
     const Plane plane = make_plane(basis, q0, q1 - q0, q2 - q0);
-    out.origin[ColorRecord::inverse_w] = plane.origin;
-    out.dx[ColorRecord::inverse_w] = plane.dx;
-    out.dy[ColorRecord::inverse_w] = plane.dy;
+    out.inverse_w_origin = plane.origin;
+    out.inverse_w_dx = plane.dx;
+    out.inverse_w_dy = plane.dy;
     const double lowest = std::min({q0, q1, q2});
     out.inverse_w_minimum = static_cast<float>(lowest);
     out.inverse_w_maximum = 1.0f;

@@ -3,6 +3,7 @@
 #include "pipeline/raster/polygons.h"
 
 #include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/raster/triangles.h"
 #include "pipeline/simd/dispatch.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -101,16 +102,48 @@ struct BlockBox {
   std::int32_t x0, y0, x1, y1;
 };
 
-/// Sends a block on its way.
-HWY_INLINE void emit(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, std::int32_t column,
-                     std::int32_t row, std::uint64_t coverage, const TileTarget& target) {
+/// A tile, and what becomes of the blocks that are found in it: they go through all passes of their primitive.
+struct WholeWay {
+  std::int32_t tile_x, tile_y;
+  const TileTarget& target;
+
+  HWY_INLINE void send(FragmentBlock& block) const { run_passes(block.primitive->binding->passes, block, target); }
+};
+
+/// They go through the early passes, and what is left of them is listed.
+struct ToTheEarlyPasses {
+  std::int32_t tile_x, tile_y;
+  const TileTarget& target;
+  std::int32_t primitive;
+  SeenBlock* end;
+
+  HWY_INLINE void send(FragmentBlock& block) {
+    const FragmentPasses& passes = block.primitive->binding->passes;
+    run_passes(passes, 0, passes.early, block, target);
+    *end = {block.coverage, block.x, block.y, block.first_pixel, primitive};
+    end += block.coverage != 0 ? 1 : 0;
+  }
+};
+
+/// Sends a block of the tile on its way. Only the head of a FragmentBlock is written.
+template <class Way>
+HWY_INLINE void send_block(const PrimitiveRecord& primitive, std::int32_t column, std::int32_t row, std::uint64_t coverage, Way& way) {
   FragmentBlock block;
   block.primitive = &primitive;
-  block.x = tile_x + column * block_size;
-  block.y = tile_y + row * block_size;
+  block.x = way.tile_x + column * block_size;
+  block.y = way.tile_y + row * block_size;
   block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
-  block.coverage = primitive.scissored ? coverage & box_mask(primitive, block.x, block.y) : coverage;
-  if (block.coverage != 0) run_passes(primitive.binding->passes, block, target);
+  block.coverage = coverage;
+  way.send(block);
+}
+
+/// The same, cut by the scissor.
+template <class Way>
+HWY_INLINE void emit(const PrimitiveRecord& primitive, std::int32_t column, std::int32_t row, std::uint64_t coverage, Way& way) {
+  if (primitive.scissored) {
+    coverage &= box_mask(primitive, way.tile_x + column * block_size, way.tile_y + row * block_size);
+  }
+  if (coverage != 0) send_block(primitive, column, row, coverage, way);
 }
 
 /// A block's coverage as it waits to be sent.
@@ -119,16 +152,38 @@ struct Found {
   std::int32_t column, row;
 };
 
-/// At most 8x8 pixels: their edges are evaluated once, wherever they lie, and the lanes are dealt out to the four blocks
-/// that they may touch. `box` is relative to the tile and inside it.
-HWY_INLINE void rasterize_small(const PrimitiveRecord& primitive, const PixelRect& box, std::int32_t tile_x,
-                                std::int32_t tile_y, const TileTarget& target) {
+/// 8x8 pixels, wherever they lie, cut into the four blocks that they may touch. Bit 8 * row + column of `mask` is the pixel
+/// (x + column, y + row), relative to the tile; blocks outside it are left out. Returns the number of blocks; `found` has
+/// room for four. Shifts by 64 come in two parts.
+HWY_INLINE std::size_t cut_mask(std::uint64_t mask, std::int32_t x, std::int32_t y, Found* found) {
+  constexpr std::uint64_t every_row = 0x0101010101010101u;
+  const std::int32_t column = x >> 3, row = y >> 3, right = x & 7, up = y & 7;  // rounded down: they may be negative
+  static_assert(block_size == 8);
+  const std::uint64_t stay = (0xFFu >> right) * every_row;
+  const std::uint64_t left_half = (mask & stay) << right, right_half = (mask & ~stay) >> (8 - right);
+  const std::int32_t down = 8 * (7 - up);
+  std::size_t count = 0;
+  const auto find = [&](std::uint64_t coverage, std::int32_t block_column, std::int32_t block_row) HWY_ATTR {
+    found[count] = {coverage, block_column, block_row};
+    const auto in_tile = [](std::int32_t i) { return static_cast<std::uint32_t>(i) < static_cast<std::uint32_t>(blocks_per_tile_row); };
+    count += (coverage != 0) & in_tile(block_column) & in_tile(block_row) ? 1 : 0;
+  };
+  find(left_half << 8 * up, column, row);
+  find(right_half << 8 * up, column + 1, row);
+  find(left_half >> down >> 8, column, row + 1);
+  find(right_half >> down >> 8, column + 1, row + 1);
+  return count;
+}
+
+/// At most 8x8 pixels: their edges are evaluated once, wherever they lie. `box` is relative to the tile and inside it.
+template <class Way>
+HWY_INLINE void rasterize_small(const PrimitiveRecord& primitive, const PixelRect& box, Way& way) {
   // An edge far away is as good as one at this distance: inside the box a value changes by less than 2^27.
   constexpr std::int64_t far_away = std::int64_t{1} << 29;
   SmallEdges edges;
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeFunction& e = primitive.edges[k];
-    const std::int64_t value = e.c + std::int64_t{e.a} * (tile_x + box.x0) + std::int64_t{e.b} * (tile_y + box.y0);
+    const std::int64_t value = e.c + std::int64_t{e.a} * (way.tile_x + box.x0) + std::int64_t{e.b} * (way.tile_y + box.y0);
     edges.value[k] = static_cast<std::int32_t>(HWY_MIN(HWY_MAX(value, -far_away), far_away));
     edges.a[k] = e.a;
     edges.b[k] = e.b;
@@ -136,40 +191,16 @@ HWY_INLINE void rasterize_small(const PrimitiveRecord& primitive, const PixelRec
   constexpr std::uint64_t every_row = 0x0101010101010101u;
   const std::int32_t width = box.x1 - box.x0, height = box.y1 - box.y0;
   const std::uint64_t in_box = (0xFFu >> (8 - width)) * every_row & ~std::uint64_t{0} >> (64 - 8 * height);
-  const std::uint64_t mask = inside_small(edges, static_cast<std::size_t>(height + 1) / 2) & in_box;
-
-  // Move the lanes to where they lie in the blocks. Shifts by 64 come in two parts.
-  const std::int32_t column = box.x0 / block_size, row = box.y0 / block_size;
-  const std::int32_t right = box.x0 % block_size, up = box.y0 % block_size;
-  const std::uint64_t stay = (0xFFu >> right) * every_row;
-  const std::uint64_t left_half = (mask & stay) << right, right_half = (mask & ~stay) >> (8 - right);
-  const std::int32_t down = 8 * (7 - up);
   Found found[4];
-  std::size_t count = 0;
-  const auto find = [&](std::uint64_t coverage, std::int32_t x, std::int32_t y) HWY_ATTR {
-    found[count] = {coverage, column + x, row + y};
-    count += coverage != 0 ? 1 : 0;
-  };
-  find(left_half << 8 * up, 0, 0);
-  find(right_half << 8 * up, 1, 0);
-  find(left_half >> down >> 8, 0, 1);
-  find(right_half >> down >> 8, 1, 1);
-  FragmentBlock block;
-  block.primitive = &primitive;
-  for (std::size_t i = 0; i < count; ++i) {
-    block.x = tile_x + found[i].column * block_size;
-    block.y = tile_y + found[i].row * block_size;
-    block.first_pixel = (found[i].row * blocks_per_tile_row + found[i].column) * pixels_per_block;
-    block.coverage = found[i].coverage;
-    run_passes(primitive.binding->passes, block, target);
-  }
+  const std::size_t count = cut_mask(inside_small(edges, static_cast<std::size_t>(height + 1) / 2) & in_box, box.x0, box.y0, found);
+  for (std::size_t i = 0; i < count; ++i) send_block(primitive, found[i].column, found[i].row, found[i].coverage, way);
 }
 
 /// Few blocks: which edge crosses which is a coin toss that a processor guesses wrong, so all are evaluated everywhere.
 constexpr std::int32_t few_blocks = 4;
 
-HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const TileEdge (&edges)[3], const BlockBox& box,
-                                     std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
+template <class Way>
+HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const TileEdge (&edges)[3], const BlockBox& box, Way& way) {
   Found found[few_blocks + 1];
   std::size_t count = 0;
   for (std::int32_t row = box.y0; row <= box.y1; ++row) {
@@ -178,14 +209,13 @@ HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const Til
       count += found[count].coverage != 0 ? 1 : 0;
     }
   }
-  for (std::size_t i = 0; i < count; ++i) {
-    emit(primitive, tile_x, tile_y, found[i].column, found[i].row, found[i].coverage, target);
-  }
+  for (std::size_t i = 0; i < count; ++i) emit(primitive, found[i].column, found[i].row, found[i].coverage, way);
 }
 
 /// Many blocks: those wholly on one side of an edge skip its evaluation.
+template <class Way>
 HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const TileEdge* edges, int edge_count,
-                                      const BlockBox& box, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
+                                      const BlockBox& box, Way& way) {
   for (std::int32_t row = box.y0; row <= box.y1; ++row) {
     for (std::int32_t column = box.x0; column <= box.x1; ++column) {
       std::uint64_t coverage = ~std::uint64_t{0};
@@ -195,16 +225,18 @@ HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const Ti
         if (value + edge.most < 0) coverage = 0;
         if (value + edge.least < 0) coverage &= inside(value, edge.a, edge.b);
       }
-      if (coverage != 0) emit(primitive, tile_x, tile_y, column, row, coverage, target);
+      if (coverage != 0) emit(primitive, column, row, coverage, way);
     }
   }
 }
 
-void rasterize(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
+template <class Way>
+HWY_INLINE void rasterize_edges(const PrimitiveRecord& primitive, Way& way) {
+  const std::int32_t tile_x = way.tile_x, tile_y = way.tile_y;
   const PixelRect pixels{std::max(primitive.x0 - tile_x, 0), std::max(primitive.y0 - tile_y, 0),
                          std::min(primitive.x1 - tile_x, tile_size), std::min(primitive.y1 - tile_y, tile_size)};
   if (pixels.x1 - pixels.x0 <= block_size && pixels.y1 - pixels.y0 <= block_size) {
-    return rasterize_small(primitive, pixels, tile_x, tile_y, target);
+    return rasterize_small(primitive, pixels, way);
   }
   constexpr std::int32_t far_corner = tile_size - 1, far_lane = block_size - 1;
   const auto least_of = [](const EdgeFunction& e, std::int32_t n) { return (e.a < 0 ? e.a * n : 0) + (e.b < 0 ? e.b * n : 0); };
@@ -223,10 +255,45 @@ void rasterize(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32
   // Visit the blocks of the primitive's box.
   const BlockBox box{pixels.x0 / block_size, pixels.y0 / block_size, (pixels.x1 - 1) / block_size, (pixels.y1 - 1) / block_size};
   if ((box.x1 - box.x0 + 1) * (box.y1 - box.y0 + 1) <= few_blocks) {
-    rasterize_few_blocks(primitive, edges, box, tile_x, tile_y, target);
+    rasterize_few_blocks(primitive, edges, box, way);
   } else {
-    rasterize_many_blocks(primitive, edges, edge_count, box, tile_x, tile_y, target);
+    rasterize_many_blocks(primitive, edges, edge_count, box, way);
   }
+}
+
+void rasterize(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
+  WholeWay way{tile_x, tile_y, target};
+  rasterize_edges(primitive, way);
+}
+
+/// The blocks of small triangles are listed before any is sent: how many a triangle has is hard to guess, and so the
+/// processor guesses wrong once for the list, and not for each.
+std::size_t rasterize_group(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target,
+                            SeenBlock* seen) {
+  ToTheEarlyPasses way{tile_x, tile_y, target, 0, seen};
+  Found found[4 * group_capacity];
+  std::int32_t found_in[4 * group_capacity];
+  std::size_t count = 0;
+  const auto send_found = [&]() HWY_ATTR {
+    for (std::size_t i = 0; i < count; ++i) {
+      way.primitive = found_in[i];
+      send_block(group.record(static_cast<std::size_t>(found_in[i])), found[i].column, found[i].row, found[i].coverage, way);
+    }
+    count = 0;
+  };
+  for (std::size_t i = 0; i < group.count; ++i) {
+    const WaitingTriangle& triangle = *group.triangle[i];
+    if (triangle.small()) {
+      for (std::size_t k = 0; k < 4; ++k) found_in[count + k] = static_cast<std::int32_t>(i);
+      count += cut_mask(triangle.mask, triangle.x0 - tile_x, triangle.y0 - tile_y, found + count);
+      continue;
+    }
+    send_found();
+    way.primitive = static_cast<std::int32_t>(i);
+    rasterize_edges(group.record(i), way);
+  }
+  send_found();
+  return static_cast<std::size_t>(way.end - seen);
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -234,6 +301,9 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
+static_assert(most_seen_blocks == group_capacity * blocks_per_tile_row * blocks_per_tile_row);
+
 PolygonRasterizer polygon_rasterizer() { return GOURAUD_SIMD_PICK(rasterize); }
+GroupRasterizer group_rasterizer() { return GOURAUD_SIMD_PICK(rasterize_group); }
 }  // namespace gouraud::pipeline
 #endif

@@ -1,6 +1,7 @@
 // Polygon coverage: a tile and a primitive's edge functions to FragmentBlocks [GL1.5 §3.5.1].
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "pipeline/raster/fragment_block.h"
@@ -16,12 +17,31 @@ using PolygonRasterizer = void (*)(const PrimitiveRecord& primitive, std::int32_
 /// The rasterizer for the instruction set in use.
 PolygonRasterizer polygon_rasterizer();
 
-/// Sends one block through the primitive's passes.
-inline void run_passes(const FragmentPasses& passes, FragmentBlock& block, const TileTarget& target) {
-  for (std::int32_t i = 0; i < passes.count; ++i) {
+/// What is left of a block behind the early passes of its plan.
+struct SeenBlock {
+  std::uint64_t coverage;
+  std::int32_t x, y, first_pixel;  ///< as in FragmentBlock
+  std::int32_t primitive;          ///< counted in its group
+};
+struct TriangleGroup;  // pipeline/raster/triangles.h
+/// Most blocks of a group in a tile.
+inline constexpr std::size_t most_seen_blocks = std::size_t{8} * 64;
+
+/// The same for triangles whose depths are set up, in order and up to the early passes. Returns the number of blocks.
+using GroupRasterizer = std::size_t (*)(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y,
+                                        const TileTarget& target, SeenBlock* seen);
+GroupRasterizer group_rasterizer();
+
+/// Sends one block through passes [first, end) of its primitive.
+inline void run_passes(const FragmentPasses& passes, std::int32_t first, std::int32_t end, FragmentBlock& block,
+                       const TileTarget& target) {
+  for (std::int32_t i = first; i < end; ++i) {
     passes.pass[static_cast<std::size_t>(i)](block, target);
     if (block.coverage == 0) return;
   }
+}
+inline void run_passes(const FragmentPasses& passes, FragmentBlock& block, const TileTarget& target) {
+  run_passes(passes, 0, passes.count, block, target);
 }
 
 /// Lanes of a block that lie inside the primitive's box; `x`, `y` is the block's first pixel.

@@ -103,10 +103,11 @@ struct alignas(64) PrimitiveRecord {
 /// scaled by the plan's color_scale. A channel that does not vary has no slope and stays exactly what it is: under
 /// perspective its plane is zero.
 struct ColorRecord {
-  static constexpr int inverse_w = 4;  ///< planes: r, g, b, a, then 1/w relative to its largest vertex value
-  alignas(64) std::array<double, 8> origin, dx, dy;
+  alignas(32) std::array<double, 4> origin, dx, dy;  ///< planes of r, g, b, a
+  double inverse_w_origin, inverse_w_dx, inverse_w_dy;  ///< of 1/w relative to its largest vertex value; if perspective
   alignas(16) std::array<float, 4> base;
-  std::array<float, 4> minimum, maximum;
+  alignas(16) std::array<float, 4> minimum;
+  alignas(16) std::array<float, 4> maximum;
   float inverse_w_minimum, inverse_w_maximum;
   ColorVariation variation;
   /// A fragment could leave the vertices' range by more than rounding forgives (slivers, colour sums): clamp each.

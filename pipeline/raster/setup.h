@@ -1,7 +1,7 @@
 // Setup: window-space primitives to records that the tile bins can hold [GL1.5 §3.3, §3.4.1, §3.5.1].
 //
-// Takes processed vertices and indices, gives records: facing decided, culled, vertices snapped to 1/256 pixel, edge
-// functions in exact integers, planes of depth and colour.
+// Takes processed vertices and indices, gives records: vertices snapped to 1/256 pixel, edge functions in exact integers,
+// planes of depth and colour. Filled triangles have a header of their own: triangles.h.
 #pragma once
 
 #include <array>
@@ -57,43 +57,10 @@ inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& ve
   return color;
 }
 
-/// A triangle that will touch pixels, before its setup. A third of a record: small ones wait like this in the bins, so
-/// that more of them meet in a tile while it is in the cache, and the tile sets them up.
-struct alignas(64) WaitingTriangle {
-  std::array<WindowVertex, 3> window;
-  std::array<Rgba, 3> color;  ///< of the side that faces the viewer; flat: the first is the provoking vertex's
-  const SetupState* state;
-  std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
-  bool scissored;               ///< the scissor cuts its box
-  bool back;                    ///< faces away
-};
-static_assert(sizeof(WaitingTriangle) == 128);
-
-/// Bytes of a waiting triangle. Behind the struct stand its varyings, vertex by vertex, if the layout has some.
-inline std::size_t waiting_size(const SetupState& state) {
-  const auto varyings = static_cast<std::size_t>(state.binding->varyings.count);
-  return sizeof(WaitingTriangle) + (3 * varyings * sizeof(float) + 63) / 64 * 64;
-}
-inline constexpr std::size_t largest_waiting = sizeof(WaitingTriangle) + (3 * max_varyings * sizeof(float) + 63) / 64 * 64;
-inline float* varyings_of(WaitingTriangle& triangle) { return reinterpret_cast<float*>(&triangle + 1); }
-inline const float* varyings_of(const WaitingTriangle& triangle) { return reinterpret_cast<const float*>(&triangle + 1); }
-
 /// Copies the varyings of a vertex of a front or back face to `out`, in the layout's order. The secondary colour is that
 /// of the vertex `shading`: another one where shading is flat.
 void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, std::uint16_t shading,
                    bool back, float* out);
-
-/// Most triangles that one call of select_triangles or setup_triangles takes.
-inline constexpr std::size_t setup_batch = 32;
-
-/// Copies the triangles that draw something to `out`, waiting_size bytes each, in order, and returns their number. Left out are those that are
-/// culled, without area after snapping, or between the samples.
-std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,
-                             std::span<const AssembledTriangle> triangles, std::byte* out);
-
-/// Sets up triangles of one state: their records, one after the other, in `records` (record_size bytes each, 64-byte
-/// aligned).
-void setup_triangles(std::span<const WaitingTriangle* const> triangles, std::byte* records);
 
 /// Facing of a triangle drawn as lines or points: by the sign of its unsnapped area; zero counts as back
 /// (MESA-RULES 2.5). True for front.
@@ -115,9 +82,6 @@ double depth_offset(const SetupState& state, const ProcessedVertices& vertices, 
 inline constexpr double offset_unit = 2.0;
 double depth_offset(const PolygonState& state, const PlaneTargets& targets, double dx, double dy, double largest_depth);
 
-/// The smooth shape of a triangle that select_triangles chose.
-SmoothShape smooth_triangle(const WaitingTriangle& triangle);
-
 /// How many fragments of stippled lines came before, since the last reset [GL1.5 §3.4.2].
 using StippleCount = std::int64_t;
 /// Whether the stipple keeps the fragment behind so many others.
@@ -137,10 +101,16 @@ enum class LinePixels : std::uint8_t {
 LinePixels setup_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line,
                       StippleCount& count, void* record, std::vector<PixelPosition>& pixels);
 
-/// A line before its setup, a quarter of a record: as for triangles, more of them meet in a tile while it is in the cache.
+/// What waits in the bins of a vertex. A triangle's varyings stand behind it, if the layout has some.
+struct alignas(32) KeptVertex {
+  WindowVertex window;
+  Rgba color;  ///< of the side that faces the viewer; where shading is flat, the provoking vertex's
+};
+
+/// A line before its setup, less than half a record: as for triangles, more of them meet in a tile while it is in the cache.
 struct alignas(64) WaitingLine {
-  std::array<WindowVertex, 2> window;
-  std::array<Rgba, 2> color;  ///< flat: both are the provoking vertex's
+  std::array<KeptVertex, 2> vertex;
+  std::array<EdgeFunction, 2> edges;
   const SetupState* state;
   std::int16_t x0, y0, x1, y1;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
   bool back;                    ///< of a polygon that faces away
@@ -153,6 +123,8 @@ bool are_plain_lines(const SetupState& state);
 LinePixels select_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, WaitingLine& out);
 /// The record of a waiting line, in `record`: record_size bytes.
 void setup_waiting_line(const WaitingLine& line, void* record);
+/// The same of several lines of one state, at most group_capacity (record_group.h): their records, one after the other.
+void setup_waiting_lines(std::span<const WaitingLine> lines, std::byte* records);
 
 /// A smooth line, or a stretch of it [GL1.5 §3.4.2]: `begin`, `end` in pixels from its start. False if it draws nothing.
 bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,

@@ -1,0 +1,75 @@
+// Triangles one a lane, for kernels: included inside a kernel file, once per instruction set.
+//
+// Everything is computed in double, so an instruction set works on as many triangles at once as it has lanes of double,
+// and floats and integers come in vectors of as many lanes.
+#include <hwy/highway.h>
+
+#if defined(GOURAUD_PIPELINE_RASTER_TRIANGLE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef GOURAUD_PIPELINE_RASTER_TRIANGLE_LANES_INL_H_
+#undef GOURAUD_PIPELINE_RASTER_TRIANGLE_LANES_INL_H_
+#else
+#define GOURAUD_PIPELINE_RASTER_TRIANGLE_LANES_INL_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include "pipeline/raster/primitive.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace gouraud::pipeline::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::CappedTag<double, 8>;
+using F = hn::Rebind<float, D>;
+using I = hn::Rebind<std::int32_t, D>;
+using V = hn::Vec<D>;
+using IV = hn::Vec<I>;
+using Mask = hn::Mask<D>;
+inline constexpr std::size_t max_lanes = 8;
+
+HWY_INLINE V set(double value) { return hn::Set(D(), value); }
+HWY_INLINE IV set_int(std::int32_t value) { return hn::Set(I(), value); }
+template <class Vector>
+HWY_INLINE Vector least(Vector a, Vector b, Vector c) { return hn::Min(hn::Min(a, b), c); }
+template <class Vector>
+HWY_INLINE Vector most(Vector a, Vector b, Vector c) { return hn::Max(hn::Max(a, b), c); }
+
+HWY_INLINE std::uint64_t bits_of(Mask mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(D(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+HWY_INLINE std::uint64_t bits_of_int(hn::Mask<I> mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(I(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+HWY_INLINE hn::Mask<I> int_mask(std::uint64_t bits) { return hn::LoadMaskBits(I(), reinterpret_cast<const std::uint8_t*>(&bits)); }
+
+/// The four floats of one struct a lane.
+struct FloatQuad {
+  hn::Vec<F> x, y, z, w;
+};
+HWY_INLINE FloatQuad load_floats(const float* floats) {
+  FloatQuad q;
+  hn::LoadInterleaved4(F(), floats, q.x, q.y, q.z, q.w);
+  return q;
+}
+
+/// Window x and y from the top to 1/256 pixel, y up: nearest, ties to even, rounded in float as MESA-RULES 3 says.
+struct SnappedCorner {
+  IV x, y;
+};
+HWY_INLINE IV snap(hn::Vec<F> coordinate) {
+  const F f;
+  return hn::NearestInt(hn::Mul(hn::Sub(coordinate, hn::Set(f, 0.5f)), hn::Set(f, static_cast<float>(subpixels))));
+}
+HWY_INLINE SnappedCorner snap_corner(const FloatQuad& window, std::int32_t target_height_px) {
+  return {snap(window.x), hn::Sub(set_int((target_height_px - 1) * subpixels), snap(window.y))};
+}
+
+}  // namespace gouraud::pipeline::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
