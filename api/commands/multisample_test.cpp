@@ -203,7 +203,7 @@ TEST(Multisample, WithoutMultisamplingAlphaChoosesNothing) {
   EXPECT_EQ(pixel_at(8, 8)[3], 102);
 }
 
-constexpr double sample_places[4][2] = {{0.375, 0.875}, {0.875, 0.625}, {0.125, 0.375}, {0.625, 0.125}};
+constexpr double sample_places[4][2] = {{0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
 
 /// What the samples for which inside(x, y) holds leave red in every pixel of the window.
 template <class Inside>

@@ -199,7 +199,9 @@ pipeline::TextureEnvironment environment(const TextureEnvironmentParameters& p, 
   bool takes_alpha = result.mode == EnvironmentMode::blend && format == BaseFormat::intensity;
   if (result.mode == EnvironmentMode::combine) {
     result.rgb = combine_terms(p.rgb, unit);
+    // The scalar of DOT3_RGBA stands in for the alpha function's result, and is scaled as that would be.
     if (result.rgb.function != CombineFunction::dot3_rgba) result.alpha = combine_terms(p.alpha, unit);
+    else result.alpha.scale = p.rgb.function == GL_DOT3_RGBA_EXT ? 1.0f : p.alpha.scale;
     takes_color = takes_constant(result.rgb, true);
     takes_alpha = takes_constant(result.rgb, false) || takes_constant(result.alpha, false);
   }

@@ -164,6 +164,20 @@ TEST(TextureSnapshot, AnisotropyIsOfFiltersThatAverage) {
   EXPECT_FALSE(shows(mipmapped, [](Scene& s) { s.parameters().max_anisotropy = 4.9f; }));
 }
 
+// [GL1.5 §3.8.13]: RGB and alpha results are scaled each by its own, wherever alpha comes from.
+TEST(TextureSnapshot, TheScalarOfDot3IsScaledInAlphaAsAlphaIs) {
+  const Change scale = [](Scene& s) { s.environment().alpha.scale = 4.0f; };
+  const Change function = [](Scene& s) { s.environment().alpha.function = GL_ADD; };
+  Scene core, extension;
+  for (Scene* scene : {&core, &extension}) {
+    scene->environment().mode = GL_COMBINE;
+    scene->environment().rgb.function = scene == &core ? GL_DOT3_RGBA : GL_DOT3_RGBA_EXT;
+    EXPECT_FALSE(shows(*scene, function));
+  }
+  EXPECT_TRUE(shows(core, scale));
+  EXPECT_FALSE(shows(extension, scale)) << "EXT_texture_env_dot3 has no scale";
+}
+
 TEST(TextureSnapshot, OnlySpritesReplaceCoordinates) {
   const Change replace = [](Scene& s) { s.state.point.coord_replace ^= 2; };
   const Change replace_of_a_unit_without_texture = [](Scene& s) { s.state.point.coord_replace ^= 5; };

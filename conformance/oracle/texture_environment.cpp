@@ -74,15 +74,16 @@ class Combiner {
   Color result() const {
     const pipeline::TextureEnvironment& environment = state_.unit[unit_].environment;
     Color out;
-    for (std::size_t k = 0; k < 3; ++k) out[k] = scaled(environment.rgb, k);
+    for (std::size_t k = 0; k < 3; ++k) out[k] = scaled(environment.rgb, k, environment.rgb.scale);
+    // [GL1.5 Table 3.24]: the scalar goes to all four; RGB and alpha results are scaled each by its own.
     const bool dot3_to_alpha = environment.rgb.function == CombineFunction::dot3_rgba;
-    out[3] = dot3_to_alpha ? scaled(environment.rgb, 0) : scaled(environment.alpha, 3);
+    out[3] = scaled(dot3_to_alpha ? environment.rgb : environment.alpha, 3, environment.alpha.scale);
     return out;
   }
 
  private:
-  double scaled(const CombineTerms& terms, std::size_t channel) const {
-    return std::clamp(value(terms, channel) * static_cast<double>(terms.scale), 0.0, 1.0);
+  double scaled(const CombineTerms& terms, std::size_t channel, float scale) const {
+    return std::clamp(value(terms, channel) * static_cast<double>(scale), 0.0, 1.0);
   }
 
   double value(const CombineTerms& terms, std::size_t channel) const {

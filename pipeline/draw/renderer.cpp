@@ -543,9 +543,10 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
   }
 }
 
-/// Where the samples of a pixel lie, in pixels from its lower left corner: each in a row and a column of its own.
+/// Where the samples of a pixel lie, in pixels from its lower left corner: each in a row and a column of its own,
+/// where Mesa has them in framebuffer objects.
 constexpr std::array<std::array<float, 2>, max_samples> sample_positions{
-    {{0.375f, 0.875f}, {0.875f, 0.625f}, {0.125f, 0.375f}, {0.625f, 0.125f}}};
+    {{0.375f, 0.125f}, {0.875f, 0.375f}, {0.125f, 0.625f}, {0.625f, 0.875f}}};
 
 /// Every sample is a picture of its own [GL1.5 §3.2.1]: what is drawn is moved so that the sample stands where a pixel
 /// has its centre, and drawn as ever. So coverage, depth and colours are those of the sample's own place, and no stage

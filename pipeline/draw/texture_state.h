@@ -82,7 +82,7 @@ struct CombineTerms {
 struct TextureEnvironment {
   EnvironmentMode mode = EnvironmentMode::modulate;
   glm::vec4 color{0.0f};  ///< in [0, 1]; if the mode or a combiner uses it
-  CombineTerms rgb{}, alpha{};  ///< of `combine`
+  CombineTerms rgb{}, alpha{};  ///< of `combine`; of dot3_rgba all alpha terms but the scale are initial
   bool operator==(const TextureEnvironment&) const = default;
 };
 

@@ -137,7 +137,8 @@ void combine(FragmentBlock& block, const EnvironmentInput& input) {
     FloatVector result[4];
     for (std::size_t k = 0; k < 4; ++k) {
       const CombineTerms& terms = k < 3 || dot3_to_alpha ? environment.rgb : environment.alpha;
-      const FloatVector value = hn::Mul(combined(terms, read, k, lane), hn::Set(d, terms.scale));
+      const float scale = k < 3 ? environment.rgb.scale : environment.alpha.scale;
+      const FloatVector value = hn::Mul(combined(terms, read, k, lane), hn::Set(d, scale));
       result[k] = hn::Mul(clamp_lanes(value, hn::Zero(d), hn::Set(d, 1.0f)), hn::Set(d, input.scale));
     }
     for (std::size_t k = 0; k < 4; ++k) hn::Store(result[k], d, block.color[k].data() + lane);
