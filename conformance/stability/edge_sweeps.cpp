@@ -66,6 +66,38 @@ Drawing net(const GlTable& gl, double knob) {
   }};
 }
 
+constexpr int long_width = 16384, long_height = 8;
+
+/// A band of triangles whose edges are about `knob` pixels long, blended ONE/ONE.
+Drawing band(const GlTable& gl, double knob) {
+  chart::project_pixels(gl, long_width, long_height);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_ONE, GL_ONE);
+  return {[knob](const GlTable& table) {
+    table.ClearColor(0, 0, 0, 0);
+    table.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    table.Color4f(1 / 255.0f, 1 / 255.0f, 1 / 255.0f, 1);
+    Random random(41);
+    table.Begin(GL_TRIANGLE_STRIP);
+    table.Vertex2f(0, 0);
+    table.Vertex2f(0, long_height);
+    double x = 0;
+    bool top = false;
+    // The borders wander through the first and the last row, which are not judged.
+    const auto next = [&] {
+      const float y = top ? random.range(7.05f, 7.95f) : random.range(0.05f, 0.95f);
+      table.Vertex2f(static_cast<float>(x), y);
+      top = !top;
+    };
+    while (x < long_width) {
+      x = std::min<double>(long_width, x + knob * static_cast<double>(random.range(0.3f, 1)));
+      next();
+    }
+    next();
+    table.End();
+  }};
+}
+
 /// % of the pixels that were hit so often; the net covers all of them, and each belongs to one triangle.
 template <class IsWrong>
 double percent_of_hits(const Observed& observed, IsWrong is_wrong) {
@@ -73,6 +105,22 @@ double percent_of_hits(const Observed& observed, IsWrong is_wrong) {
   int wrong = 0;
   for (std::size_t i = 0; i < picture.pixel_count(); ++i) wrong += is_wrong(picture.rgba[4 * i]) ? 1 : 0;
   return 100.0 * wrong / static_cast<double>(picture.pixel_count());
+}
+
+/// The same of the band's inner rows.
+template <class IsWrong>
+double percent_of_band(const Observed& observed, IsWrong is_wrong) {
+  const conformance::Picture& picture = *observed.answer.picture;
+  int wrong = 0;
+  for (std::size_t i = long_width; i < static_cast<std::size_t>(long_width) * (long_height - 1); ++i) wrong += is_wrong(picture.rgba[4 * i]) ? 1 : 0;
+  return 100.0 * wrong / (long_width * (long_height - 2));
+}
+
+double band_holes(const Observed& observed) {
+  return percent_of_band(observed, [](int hits) { return hits == 0; });
+}
+double band_doubles(const Observed& observed) {
+  return percent_of_band(observed, [](int hits) { return hits > 1; });
 }
 
 double holes(const Observed& observed) {
@@ -109,6 +157,19 @@ std::vector<Sweep> edge_sweeps() {
         {"llvmpipe", "doubles", 0, 48, 0.0}},
        SweepReference::none,
        {"coverage", "clipping"},
+       [](double knob) { return knob; },
+       true},
+      {{"band_of_long_edges", "a band of triangles 8 pixels high, blended ONE/ONE", long_width, long_height, band},
+       "length of the edges, pixels",
+       powers(2, 2, 14),
+       {{"holes", "pixels that no triangle drew, %", band_holes}, {"doubles", "pixels drawn more than once, %", band_doubles}},
+       {{"default", "holes", 4, long_width, 0.0},
+        {"default", "doubles", 4, long_width, 0.0},
+        {"coverage=incremental", "doubles", 4, long_width, 0.0},
+        {"coverage=float_steps", "doubles", 4, long_width, {}, 0.0005, "each addition rounds, and neighbours begin elsewhere"},
+        {"coverage=barycentric,epsilon=0.01", "doubles", 4, long_width, {}, 1, "a hundredth of the area along each edge has two owners"}},
+       SweepReference::none,
+       {"coverage"},
        [](double knob) { return knob; },
        true},
   };

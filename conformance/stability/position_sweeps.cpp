@@ -89,6 +89,21 @@ Drawing stepping(const GlTable& gl, double knob) {
   }};
 }
 
+/// A wedge of `knob` pixels whose long edge rises by less than one row in a thousand pixels, if it is that long.
+Drawing long_edge(const GlTable& gl, double knob) {
+  chart::project_pixels(gl, most_steps, step_rows);
+  return {[end = static_cast<float>(knob - 179 / 256.0)](const GlTable& table) {
+    clear_background(table);
+    table.Begin(GL_TRIANGLES);
+    table.Color3f(0.9f, 0.8f, 0.2f);
+    // On the grid of 1/256 pixel, so that snapping moves nothing and steps alone can err.
+    table.Vertex2f(77 / 256.0f, 54 / 256.0f);
+    table.Vertex2f(end, 2004 / 256.0f);
+    table.Vertex2f(77 / 256.0f, 2004 / 256.0f);
+    table.End();
+  }};
+}
+
 }  // namespace
 
 std::vector<Sweep> position_sweeps() {
@@ -99,7 +114,9 @@ std::vector<Sweep> position_sweeps() {
        {{"coverage", "wrong coverage, % of the pixels drawn", coverage_percent},
         {"color", "mean colour error beyond rounding, 1/255", color_beyond_rounding}},
        {{"default", "coverage", 0, 44, 0.01},
-        {"default", "color", 0, 44, 0.01}},
+        {"default", "color", 0, 44, 0.01},
+        {"clipping=homogeneous", "coverage", 0, 6, 0.01},
+        {"clipping=none", "coverage", 0, 44, {}, 50, "what lies behind the eye comes out before it, turned over"}},
        SweepReference::exact,
        {"clipping", "coverage"}},
       {{"w_through_zero", "a corner that goes through w = 0 to behind the eye", width, height, w_through_zero},
@@ -117,6 +134,8 @@ std::vector<Sweep> position_sweeps() {
        {2, 4, 8, 12, 16, 18, 20, 21, 22, 23, 24, 25, 26, 28, 32, 40, 64, 96, 125, 126},
        {{"wrong", "pixels on the wrong side of the edge, %", wrong_half_percent}},
        {{"default", "wrong", 2, 24, 0.01},
+        {"clipping=homogeneous", "wrong", 2, 40, 0.01},
+        {"clipping=none", "wrong", 8, 126, {}, 10, "window coordinates leave the range of integers"},
         {"default", "wrong", 25, 126, {}, 10, "a float has 24 bits: the clipper's point on an edge is off by 2^-25 of its length"}},
        SweepReference::none,
        {"clipping", "coverage"}},
@@ -127,6 +146,17 @@ std::vector<Sweep> position_sweeps() {
        {{"default", "color", 1, most_steps, 0.55}, {"default", "depth", 1, most_steps, 0.75}},
        SweepReference::house,
        {"coverage", "colors", "depth"},
+       [](double knob) { return knob; },
+       true},
+      {{"long_edge", "a wedge of many pixels whose edge hardly rises", most_steps, step_rows, long_edge},
+       "pixels",
+       powers(2, 2, 14),
+       {{"coverage", "wrong coverage, % of the pixels drawn", coverage_percent}},
+       {{"default", "coverage", 4, most_steps, 0.0},
+        {"coverage=incremental", "coverage", 4, most_steps, 0.0},  // integers add up exactly
+        {"coverage=barycentric,epsilon=0.01", "coverage", 32, most_steps, {}, 0.5, "a hundredth of the area is a strip of pixels"}},
+       SweepReference::house,
+       {"coverage"},
        [](double knob) { return knob; },
        true},
   };
