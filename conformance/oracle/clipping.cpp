@@ -9,7 +9,8 @@ namespace gouraud::oracle {
 namespace {
 
 /// Distances to the frustum's planes are positive inside: w - x, w + x, w - y, w + y, w + z (near), w - z (far).
-constexpr int frustum_planes = 6;
+/// And z, which takes the place of w + z where clip space is that deep only.
+constexpr int frustum_planes = 6, near_at_zero = 6;
 
 /// A plane of the frustum, or one of the user's, in eye space.
 struct Plane {
@@ -17,9 +18,9 @@ struct Plane {
   const glm::vec4* user = nullptr;
 };
 
-std::vector<Plane> all_planes(const pipeline::ClipPlaneState& user) {
+std::vector<Plane> all_planes(const pipeline::ClipPlaneState& user, bool zero_to_one) {
   std::vector<Plane> planes;
-  for (int i = 0; i < frustum_planes; ++i) planes.push_back({i, nullptr});
+  for (int i = 0; i < frustum_planes; ++i) planes.push_back({i == 4 && zero_to_one ? near_at_zero : i, nullptr});
   for (std::size_t i = 0; i < user.count; ++i) planes.push_back({0, &user.plane_eye[i]});
   return planes;
 }
@@ -43,6 +44,8 @@ T distance(const std::array<T, 4>& p, int plane) {
       return p[1] + p[3];
     case 4:
       return p[2] + p[3];
+    case near_at_zero:
+      return p[2];
     default:
       return -p[2] + p[3];
   }
@@ -169,12 +172,12 @@ ClipVertex<T> vertex_at(const Crossing& crossing, const ClipVertex<T>& v0, const
 
 template <typename T>
 ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges,
-                                const pipeline::ClipPlaneState& user) {
+                                const pipeline::ClipPlaneState& user, bool zero_to_one) {
   if (!std::ranges::all_of(triangle, [](const auto& vertex) { return has_finite_position(vertex); })) return {};
   ClippedPolygon<T> polygon;
   polygon.vertices.assign(triangle.begin(), triangle.end());
   for (unsigned i = 0; i < 3; ++i) polygon.boundary.push_back((boundary_edges >> i & 1) != 0);
-  for (const Plane& plane : all_planes(user)) {
+  for (const Plane& plane : all_planes(user, zero_to_one)) {
     const auto violates = [plane](const auto& vertex) { return distance(vertex, plane) < 0; };
     if (std::ranges::any_of(triangle, violates)) polygon = clip_to_plane(polygon, plane);
   }
@@ -184,12 +187,12 @@ ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, un
 
 template <typename T>
 std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line,
-                                                       const pipeline::ClipPlaneState& user) {
+                                                       const pipeline::ClipPlaneState& user, bool zero_to_one) {
   const auto& [v0, v1] = line;
   if (!has_finite_position(v0) || !has_finite_position(v1)) return {};
   // Where the line comes in and where it leaves.
   std::optional<Crossing> entry, exit;
-  for (const Plane& plane : all_planes(user)) {
+  for (const Plane& plane : all_planes(user, zero_to_one)) {
     const Crossing here{exact_sum_distance(v0, plane), exact_sum_distance(v1, plane)};
     const bool inside0 = here.d0.value() >= 0, inside1 = here.d1.value() >= 0;
     if (!inside0 && !inside1) return {};
@@ -204,21 +207,21 @@ std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVerte
 }
 
 template <typename T>
-bool in_view_volume(const ClipVertex<T>& point, const pipeline::ClipPlaneState& user) {
+bool in_view_volume(const ClipVertex<T>& point, const pipeline::ClipPlaneState& user, bool zero_to_one) {
   if (!has_finite_position(point)) return false;
-  for (const Plane& plane : all_planes(user)) {
+  for (const Plane& plane : all_planes(user, zero_to_one)) {
     if (!(distance(point, plane) >= 0)) return false;
   }
   return true;
 }
 
-template ClippedPolygon<float> clip_triangle(const std::array<ClipVertex<float>, 3>&, unsigned, const pipeline::ClipPlaneState&);
-template ClippedPolygon<double> clip_triangle(const std::array<ClipVertex<double>, 3>&, unsigned, const pipeline::ClipPlaneState&);
+template ClippedPolygon<float> clip_triangle(const std::array<ClipVertex<float>, 3>&, unsigned, const pipeline::ClipPlaneState&, bool);
+template ClippedPolygon<double> clip_triangle(const std::array<ClipVertex<double>, 3>&, unsigned, const pipeline::ClipPlaneState&, bool);
 template std::optional<std::array<ClipVertex<float>, 2>> clip_line(const std::array<ClipVertex<float>, 2>&,
-                                                                        const pipeline::ClipPlaneState&);
+                                                                        const pipeline::ClipPlaneState&, bool);
 template std::optional<std::array<ClipVertex<double>, 2>> clip_line(const std::array<ClipVertex<double>, 2>&,
-                                                                        const pipeline::ClipPlaneState&);
-template bool in_view_volume(const ClipVertex<float>&, const pipeline::ClipPlaneState&);
-template bool in_view_volume(const ClipVertex<double>&, const pipeline::ClipPlaneState&);
+                                                                        const pipeline::ClipPlaneState&, bool);
+template bool in_view_volume(const ClipVertex<float>&, const pipeline::ClipPlaneState&, bool);
+template bool in_view_volume(const ClipVertex<double>&, const pipeline::ClipPlaneState&, bool);
 
 }  // namespace gouraud::oracle

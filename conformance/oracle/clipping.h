@@ -22,18 +22,20 @@ struct ClippedPolygon {
   bool is_cut = false;  ///< false: the triangle as it was
 };
 
+/// The near plane is z = -w, or z = 0 if `zero_to_one` [ARB_clip_control].
+///
 /// The part of a triangle inside the view volume; no vertices if there is none. Bit i of `boundary_edges` stands for
 /// edge i. Edges along the view volume's faces are boundary edges [GL1.5 §2.12].
 template <typename T>
 ClippedPolygon<T> clip_triangle(const std::array<ClipVertex<T>, 3>& triangle, unsigned boundary_edges,
-                                const pipeline::ClipPlaneState& user = {});
+                                const pipeline::ClipPlaneState& user = {}, bool zero_to_one = false);
 
 template <typename T>
 std::optional<std::array<ClipVertex<T>, 2>> clip_line(const std::array<ClipVertex<T>, 2>& line,
-                                                       const pipeline::ClipPlaneState& user = {});
+                                                       const pipeline::ClipPlaneState& user = {}, bool zero_to_one = false);
 
 /// A point is kept iff its position is in the volume.
 template <typename T>
-bool in_view_volume(const ClipVertex<T>& point, const pipeline::ClipPlaneState& user = {});
+bool in_view_volume(const ClipVertex<T>& point, const pipeline::ClipPlaneState& user = {}, bool zero_to_one = false);
 
 }  // namespace gouraud::oracle

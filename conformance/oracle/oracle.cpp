@@ -64,7 +64,7 @@ class Draw {
       clipped_quads_ = clipped_quads_ && !range.begins;
       for (std::size_t k = i; k < ranges.size() && ranges[k].mode == PrimitiveMode::quads && !ranges[k].indexed; ++k) {
         for (int n = ranges[k].first; n < ranges[k].first + ranges[k].count; ++n) {
-          clipped_quads_ = clipped_quads_ || !in_view_volume(vertex(n), state_.clip_planes);
+          clipped_quads_ = clipped_quads_ || !in_view_volume(vertex(n), state_.clip_planes, state_.viewport.zero_to_one);
         }
       }
     }
@@ -103,7 +103,7 @@ class Draw {
 
   void draw_point(const Primitive& primitive) {
     const ClipVertex<T>& point = vertex(primitive.vertex[0]);
-    if (!in_view_volume(point, state_.clip_planes)) return;
+    if (!in_view_volume(point, state_.clip_planes, state_.viewport.zero_to_one)) return;
     if (const auto window = to_window_space(point, state_.viewport)) rasterize_point(sink_, *window, size_of(primitive, 0));
   }
 
@@ -134,8 +134,8 @@ class Draw {
       const bool steep = std::abs(whole_b->y - whole_a->y) > std::abs(whole_b->x - whole_a->x);
       return std::llround(steep ? std::abs(to.y - from.y) : std::abs(to.x - from.x));
     };
-    const bool inside = in_view_volume(line[0], state_.clip_planes) && in_view_volume(line[1], state_.clip_planes);
-    const auto clipped = clip_line(line, state_.clip_planes);
+    const bool inside = in_view_volume(line[0], state_.clip_planes, state_.viewport.zero_to_one) && in_view_volume(line[1], state_.clip_planes, state_.viewport.zero_to_one);
+    const auto clipped = clip_line(line, state_.clip_planes, state_.viewport.zero_to_one);
     if (!inside && known) stipple_count_ = before + fragments_between(*whole_a, *whole_b);
     if (!clipped) return;
     const auto a = to_window_space((*clipped)[0], state_.viewport), b = to_window_space((*clipped)[1], state_.viewport);
@@ -148,7 +148,7 @@ class Draw {
   void draw_triangle(const Primitive& primitive) {
     const ClippedPolygon<T> clipped =
         clip_triangle<T>({vertex(primitive.vertex[0]), vertex(primitive.vertex[1]), vertex(primitive.vertex[2])},
-                         primitive.boundary_edges, state_.clip_planes);
+                         primitive.boundary_edges, state_.clip_planes, state_.viewport.zero_to_one);
     std::vector<WindowVertex> polygon;
     for (const ClipVertex<T>& corner : clipped.vertices) {
       const auto window = to_window_space(corner, state_.viewport);

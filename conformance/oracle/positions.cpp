@@ -54,14 +54,17 @@ std::optional<WindowVertex> to_window_space(const ClipVertex<T>& vertex, const p
   const T half = static_cast<T>(0.5);
   const T half_width = static_cast<T>(viewport.width_px) * half,
           half_height = static_cast<T>(viewport.height_px) * half;
-  const T scale_z = static_cast<T>((viewport.depth_far - viewport.depth_near) * 0.5);
-  const T center_z = static_cast<T>((viewport.depth_far + viewport.depth_near) * 0.5);
+  // [ARB_clip_control]: z may run from 0, and y downwards.
+  const double depth_range = viewport.depth_far - viewport.depth_near;
+  const T scale_z = static_cast<T>(viewport.zero_to_one ? depth_range : depth_range * 0.5);
+  const T center_z = static_cast<T>(viewport.zero_to_one ? viewport.depth_near : (viewport.depth_far + viewport.depth_near) * 0.5);
+  const T scale_y_from_top = viewport.upper_left ? half_height : -half_height;
   const T center_x = half_width + static_cast<T>(viewport.x);
   const T center_y_from_top = static_cast<T>(viewport.target_height_px) - (half_height + static_cast<T>(viewport.y));
 
   const T w_inverse = static_cast<T>(1) / vertex.position[3];
   const T x = (vertex.position[0] * w_inverse) * half_width + center_x;
-  const T y_from_top = (vertex.position[1] * w_inverse) * -half_height + center_y_from_top;
+  const T y_from_top = (vertex.position[1] * w_inverse) * scale_y_from_top + center_y_from_top;
   const T z = (vertex.position[2] * w_inverse) * scale_z + center_z;
   if (!std::isfinite(x) || !std::isfinite(y_from_top) || !std::isfinite(z) || !std::isfinite(w_inverse)) return {};
 
