@@ -137,6 +137,7 @@ ClippedPolygon<T> clip_to_plane(const ClippedPolygon<T>& polygon, const Plane& p
 template <typename T>
 ExactSum exact_sum_distance(const ClipVertex<T>& vertex, const Plane& plane) {
   if (plane.user != nullptr) return {{user_distance(vertex.position_eye, *plane.user)}};
+  if (plane.frustum == near_at_zero) return {{static_cast<double>(vertex.position[2])}};
   const double w = vertex.position[3], coordinate = vertex.position[static_cast<std::size_t>(plane.frustum / 2)];
   const bool is_upper = plane.frustum == 0 || plane.frustum == 2 || plane.frustum == 5;
   return {{is_upper ? -coordinate : coordinate, w}};

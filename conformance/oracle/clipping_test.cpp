@@ -115,5 +115,20 @@ TEST(Clipping, ChangesNoVisiblePixelsColourOrDepth) {
   }
 }
 
+// [ARB_clip_control]: z from 0 on.
+TEST(Clipping, TheNearPlaneAtZero) {
+  const std::array<ClipVertex<float>, 2> ends{clip_vertex(0, 0, -0.25f, 1), clip_vertex(0.5f, 0, 0.75f, 1)};
+  EXPECT_EQ(clip_line<float>(ends)->at(0).position[2], -0.25f);
+  const auto cut = clip_line<float>(ends, {}, true);
+  ASSERT_TRUE(cut);
+  EXPECT_EQ(cut->at(0).position[2], 0.0f);
+  EXPECT_EQ(cut->at(0).position[0], 0.125f);
+  EXPECT_TRUE(in_view_volume(ends[0]));
+  EXPECT_FALSE(in_view_volume(ends[0], {}, true));
+  const auto polygon = clip_triangle<float>({ends[0], ends[1], clip_vertex(0, 0.5f, 0.5f, 1)}, 7, {}, true);
+  ASSERT_EQ(polygon.vertices.size(), 4u);
+  for (const auto& vertex : polygon.vertices) EXPECT_GE(vertex.position[2], 0.0f);
+}
+
 }  // namespace
 }  // namespace gouraud::oracle
