@@ -123,7 +123,8 @@ class TileBins {
     GroupRasterizer group;
   };
   void run_bin(std::int32_t bin_index, const Rasterizers& rasterize);
-  /// The first entry and the triangles of equal state right after it. Returns the number of entries done.
+  static void run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const TileTarget& pixels, GroupRasterizer rasterize);
+  /// The first entry and triangles of equal state right after it. Returns the number of entries done.
   static std::size_t run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
                                    GroupRasterizer rasterize);
   static void run_lines(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, PolygonRasterizer rasterize);
