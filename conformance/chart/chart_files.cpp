@@ -153,16 +153,16 @@ PlotSeries front_series(const std::vector<Point>& points) {
 Plot plot_of(const std::string& title, const std::vector<Point>& points, Axis axis) {
   Plot plot{title, "processor time, relative to llvmpipe", std::string(label_of(axis)), true, true, 1e-5, {}};
   plot.series.push_back(front_series(points));
-  PlotSeries methods{"Gouraud's methods", PlotSeries::Style::labelled_points, {}};
-  PlotSeries ours{"Gouraud, the default", PlotSeries::Style::labelled_points, {}};
-  PlotSeries mesa{"Mesa 22.3.6", PlotSeries::Style::labelled_points, {}};
+  PlotSeries methods{"Gouraud's methods", PlotSeries::Style::labelled_points, {}, {}, "#1565c0"};
+  PlotSeries ours{"Gouraud, the default", PlotSeries::Style::labelled_points, {}, {}, "#c62828"};
+  PlotSeries mesa{"Mesa", PlotSeries::Style::labelled_points, {}, {}, "#2e7d32"};
   for (const Point& point : points) {
     const bool is_mesa = point.name == "llvmpipe" || point.name == "softpipe";
     PlotSeries& series = point.name == default_name ? ours : is_mesa ? mesa : methods;
     series.points.emplace_back(point.time, point.error);
     series.labels.push_back(point.name);
   }
-  for (PlotSeries* series : {&methods, &ours, &mesa}) plot.series.push_back(*series);
+  for (PlotSeries* series : {&ours, &mesa, &methods}) plot.series.push_back(*series);
   return plot;
 }
 
@@ -183,14 +183,17 @@ void report_scene(std::vector<std::string>& lines, const std::string& scene, con
 
 std::string chart_json(const std::vector<SceneChart>& charts) { return json_of(charts, nullptr); }
 
-void write_chart_svgs(const std::string& folder, const std::vector<SceneChart>& charts) {
+void write_chart_plots(const std::string& folder, const std::vector<SceneChart>& charts) {
   const auto write = [&](const std::string& name, const std::string& title, const std::vector<Point>& points, Axis axis) {
     if (points.empty()) return;
     const std::string suffix = axis == Axis::color ? "" : "_" + std::string(name_of(axis));
-    write_svg(folder + "/" + name + suffix + ".svg", plot_of(title, points, axis));
+    write_plot(folder + "/" + name + suffix + ".svg", plot_of(title, points, axis));
   };
   for (const Axis axis : all_axes) {
     write("overall", "All scenes with an exact reference", overall_points(charts, axis), axis);
+    if (axis == Axis::color) {
+      write_plot(folder + "/overall.png", plot_of("All scenes with an exact reference", overall_points(charts, axis), axis));
+    }
     for (const SceneChart& chart : charts) {
       const std::string name(chart.scene->probe.name);
       write(name, name + ": " + std::string(chart.scene->probe.shows), points_of(chart, axis), axis);

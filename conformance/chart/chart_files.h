@@ -11,8 +11,8 @@ namespace gouraud::chart {
 /// Everything that was measured, without pictures.
 std::string chart_json(const std::vector<SceneChart>& charts);
 
-/// overall.svg, overall_depth.svg, ..., SCENE.svg, SCENE_coverage.svg, ...
-void write_chart_svgs(const std::string& folder, const std::vector<SceneChart>& charts);
+/// overall.svg (and overall.png), overall_depth.svg, ..., SCENE.svg, SCENE_coverage.svg, ...
+void write_chart_plots(const std::string& folder, const std::vector<SceneChart>& charts);
 
 /// One page without any file beside it: plots, tables, and behind every point its picture and error map.
 std::string chart_html(const std::vector<SceneChart>& charts);

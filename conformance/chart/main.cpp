@@ -120,7 +120,7 @@ int run(std::span<char*> arguments) {
   std::filesystem::create_directories(options.out);
   write_file(options.out + "/chart.json", chart_json(charts));
   write_file(options.out + "/chart.html", chart_html(charts));
-  write_chart_svgs(options.out, charts);
+  write_chart_plots(options.out, charts);
 
   for (const SceneChart& chart : charts) print_table(std::string(chart.scene->probe.name), points_of(chart, Axis::color));
   print_table("over all scenes with an exact reference", overall_points(charts, Axis::color));

@@ -20,15 +20,55 @@ std::string quoted(const std::string& text) {
 
 double placed_y(const Plot& plot, double y) { return plot.log_y ? std::max(y, plot.least_y) : y; }
 
+struct Range {
+  double lowest, highest;
+};
+
+Range y_range(const Plot& plot) {
+  double highest = plot.least_y;
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& [x, y] : series.points) highest = std::max(highest, placed_y(plot, y));
+  }
+  return {plot.least_y / 2, std::max(highest * 3, plot.least_y * 10)};
+}
+
+/// Where labels stand: at their points, or as many lines above as keeps them off the labels before. Logarithmic axes.
+class LabelPlaces {
+ public:
+  explicit LabelPlaces(const Range& range) : line_(std::log10(range.highest / range.lowest) / 38) {}
+
+  double place(double x, double y, std::size_t characters) {
+    const double begin = std::log10(x), end = begin + 0.018 * static_cast<double>(characters + 1);
+    double height = std::log10(y);
+    const auto is_taken = [&](const Taken& taken) {
+      return begin < taken.end && end > taken.begin && std::abs(taken.height - height) < 0.9 * line_;
+    };
+    while (std::any_of(taken_.begin(), taken_.end(), is_taken)) height += line_;
+    taken_.push_back({begin, end, height});
+    return std::pow(10, height);
+  }
+
+ private:
+  struct Taken {
+    double begin, end, height;
+  };
+  double line_;
+  std::vector<Taken> taken_;
+};
+
 std::string blocks_of(const Plot& plot) {
   std::ostringstream out;
   out.precision(9);
+  LabelPlaces places(y_range(plot));
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const PlotSeries& series = plot.series[i];
     out << "$series" << i << " << END\n";
     for (std::size_t k = 0; k < series.points.size(); ++k) {
       out << series.points[k].first << ' ' << placed_y(plot, series.points[k].second);
-      if (!series.labels.empty()) out << ' ' << quoted(series.labels[k]);
+      if (!series.labels.empty()) {
+        const auto [x, y] = series.points[k];
+        out << ' ' << places.place(x, placed_y(plot, y), series.labels[k].size()) << ' ' << quoted(series.labels[k]);
+      }
       out << '\n';
     }
     out << "END\n";
@@ -39,7 +79,7 @@ std::string blocks_of(const Plot& plot) {
 std::string drawn(const PlotSeries& series, std::size_t index) {
   const std::string data = "$series" + std::to_string(index);
   const std::string title = series.title.empty() ? " notitle" : " title " + quoted(series.title);
-  const std::string type = std::to_string(index + 1);
+  const std::string type = std::to_string(index + 1) + (series.color.empty() ? "" : " linecolor rgb '" + series.color + "'");
   switch (series.style) {
     case PlotSeries::Style::lines: return data + " using 1:2 with linespoints linewidth 1.5 pointsize 0.5 linetype " + type + title;
     case PlotSeries::Style::steps: return data + " using 1:2 with steps linewidth 1.2 dashtype 2 linecolor rgb '#777777'" + title;
@@ -47,20 +87,17 @@ std::string drawn(const PlotSeries& series, std::size_t index) {
     case PlotSeries::Style::labelled_points: break;
   }
   return data + " using 1:2 with points pointtype 7 pointsize 0.7 linetype " + type + title + ", " + data +
-         " using 1:2:3 with labels left offset 0.7,0 font ',9' notitle";
+         " using 1:3:4 with labels left offset 0.7,0 font ',9' notitle";
 }
 
 std::string script_of(const std::string& path, const Plot& plot) {
   std::ostringstream out;
-  out << "set terminal svg size 1000,640 dynamic noenhanced font 'sans,12' background rgb 'white'\n"
+  const bool is_png = path.ends_with(".png");
+  out << "set terminal " << (is_png ? "pngcairo size 1000,640" : "svg size 1000,640 dynamic") << " noenhanced font 'sans,12' background rgb 'white'\n"
       << "set output " << quoted(path) << "\nset title " << quoted(plot.title) << "\nset xlabel " << quoted(plot.x_label)
-      << "\nset ylabel " << quoted(plot.y_label) << "\nset grid linecolor rgb '#dddddd'\nset key outside right top\n";
-  const double lowest = plot.least_y;
-  double highest = plot.least_y;
-  for (const PlotSeries& series : plot.series) {
-    for (const auto& [x, y] : series.points) highest = std::max(highest, placed_y(plot, y));
-  }
-  if (plot.log_y) out << "set yrange [" << lowest / 2 << ':' << std::max(highest * 3, lowest * 10) << "]\n";
+      << "\nset ylabel " << quoted(plot.y_label) << "\nset grid linecolor rgb '#dddddd'\nset key outside center bottom horizontal\n";
+  const Range range = y_range(plot);
+  if (plot.log_y) out << "set yrange [" << range.lowest << ':' << range.highest << "]\n";
   if (plot.log_x) out << "set logscale x\n";
   if (plot.log_y) out << "set logscale y\nset format y '%.0e'\n";
   out << blocks_of(plot) << "plot ";
@@ -77,7 +114,7 @@ std::string script_of(const std::string& path, const Plot& plot) {
 
 }  // namespace
 
-void write_svg(const std::string& path, const Plot& plot) {
+void write_plot(const std::string& path, const Plot& plot) {
   const std::string script = script_of(path, plot);
   std::FILE* const gnuplot = ::popen("gnuplot 2>&1", "w");
   if (gnuplot == nullptr) throw std::runtime_error("gnuplot cannot be started");

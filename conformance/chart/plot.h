@@ -1,4 +1,4 @@
-// Plots as SVG files, drawn by gnuplot.
+// Plots as SVG or PNG files, drawn by gnuplot.
 #pragma once
 
 #include <string>
@@ -13,6 +13,7 @@ struct PlotSeries {
   Style style = Style::lines;
   std::vector<std::pair<double, double>> points;
   std::vector<std::string> labels{};  ///< a label a point, of labelled_points
+  std::string color{};                ///< "#rrggbb"; empty: gnuplot's next
 };
 
 struct Plot {
@@ -23,7 +24,8 @@ struct Plot {
   std::vector<PlotSeries> series;
 };
 
-/// Runs gnuplot; throws std::runtime_error if it is missing or complains.
-void write_svg(const std::string& path, const Plot& plot);
+/// Runs gnuplot; throws std::runtime_error if it is missing or complains. A path that ends in .png gets a PNG, others an
+/// SVG. Labels that would lie over each other are moved up.
+void write_plot(const std::string& path, const Plot& plot);
 
 }  // namespace gouraud::chart

@@ -141,7 +141,7 @@ void write_report(const std::string& folder, const std::vector<SweepResult>& res
       const Plot plot = plot_of(result, measure);
       const bool has_points = std::ranges::any_of(plot.series, [](const PlotSeries& series) { return !series.points.empty(); });
       if (has_points) {
-        chart::write_svg(path, plot);
+        chart::write_plot(path, plot);
         const std::string svg = file_text(path);
         page << svg.substr(std::min(svg.find("<svg"), svg.size()));
       }
