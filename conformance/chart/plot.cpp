@@ -32,34 +32,50 @@ Range y_range(const Plot& plot) {
   return {plot.least_y / 2, std::max(highest * 3, plot.least_y * 10)};
 }
 
-/// Where labels stand: at their points, or as many lines above as keeps them off the labels before. Logarithmic axes.
+Range x_range(const Plot& plot) {
+  Range range{1e300, 1e-300};
+  for (const PlotSeries& series : plot.series) {
+    for (const auto& [x, y] : series.points) range = {std::min(range.lowest, x), std::max(range.highest, x)};
+  }
+  // gnuplot's axis ends at powers of ten.
+  return {std::pow(10, std::floor(std::log10(range.lowest))), std::pow(10, std::ceil(std::log10(range.highest)))};
+}
+
+/// Where labels stand: at their points, or as few lines above or below as keep them off the labels before. Logarithmic
+/// axes.
 class LabelPlaces {
  public:
-  explicit LabelPlaces(const Range& range) : line_(std::log10(range.highest / range.lowest) / 38) {}
+  explicit LabelPlaces(const Plot& plot)
+      : line_(decades(y_range(plot)) / lines), character_(decades(x_range(plot)) / characters) {}
 
-  double place(double x, double y, std::size_t characters) {
-    const double begin = std::log10(x), end = begin + 0.018 * static_cast<double>(characters + 1);
-    double height = std::log10(y);
-    const auto is_taken = [&](const Taken& taken) {
-      return begin < taken.end && end > taken.begin && std::abs(taken.height - height) < 0.9 * line_;
+  double place(double x, double y, std::size_t length) {
+    const double begin = std::log10(x), end = begin + character_ * static_cast<double>(length + 2), height = std::log10(y);
+    const auto is_taken = [&](double candidate) {
+      return std::any_of(taken_.begin(), taken_.end(), [&](const Taken& taken) {
+        return begin < taken.end && end > taken.begin && std::abs(taken.height - candidate) < 0.9 * line_;
+      });
     };
-    while (std::any_of(taken_.begin(), taken_.end(), is_taken)) height += line_;
-    taken_.push_back({begin, end, height});
-    return std::pow(10, height);
+    double candidate = height;
+    for (int step = 1; is_taken(candidate); ++step) candidate = height + line_ * (step % 2 != 0 ? (step + 1) / 2 : -step / 2);
+    taken_.push_back({begin, end, candidate});
+    return std::pow(10, candidate);
   }
 
  private:
+  static constexpr double lines = 40, characters = 150;  // that a plot has room for
   struct Taken {
     double begin, end, height;
   };
-  double line_;
+  static double decades(const Range& range) { return std::log10(range.highest / range.lowest); }
+
+  double line_, character_;
   std::vector<Taken> taken_;
 };
 
 std::string blocks_of(const Plot& plot) {
   std::ostringstream out;
   out.precision(9);
-  LabelPlaces places(y_range(plot));
+  LabelPlaces places(plot);
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const PlotSeries& series = plot.series[i];
     out << "$series" << i << " << END\n";
