@@ -56,6 +56,27 @@ TEST_F(ChartTest, TheFilesHoldWhatWasMeasured) {
   EXPECT_EQ(page.find("src=\"http"), std::string::npos);  // nothing from elsewhere
 }
 
+// So the default is on the front of these scenes, whatever the times are.
+TEST(ChartFront, NobodyIsMoreAccurateThanTheDefaultWhereTheReferenceIsExact) {
+  const std::vector<Contestant> contestants = all_contestants(conformance::Paths::of_this_build());
+  ChartOptions options;
+  options.rounds = 1;
+  options.least_sample_s = 0;
+  for (const ChartScene& scene : chart_scenes()) {
+    if (scene.reference == ReferenceKind::exact) options.only.emplace_back(scene.probe.name);
+  }
+  for (const SceneChart& chart : measure_chart(contestants, options)) {
+    for (const Axis axis : all_axes) {
+      const std::vector<Point> points = points_of(chart, axis);
+      const auto own = std::ranges::find(points, "default", &Point::name);
+      if (own == points.end()) continue;
+      for (const Point& other : points) {
+        EXPECT_GE(other.error, own->error - Resolution{}.error) << chart.scene->probe.name << ", " << name_of(axis) << ": " << other.name;
+      }
+    }
+  }
+}
+
 TEST(ChartScenes, AreAtLeastTwelveWithNamesOfTheirOwn) {
   std::vector<std::string_view> names;
   for (const Probe& probe : all_probes()) names.push_back(probe.name);
