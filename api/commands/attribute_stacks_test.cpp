@@ -71,6 +71,26 @@ const Change changes[] = {
     {GL_MULTISAMPLE_BIT, true, [](Context& c) { Disable(c, GL_MULTISAMPLE); }},
 };
 
+TEST(PushAttrib, KeepsTheDrawBufferAndTheReadBuffer) {
+  Context context({}, nullptr);
+  ASSERT_TRUE(context.set_window_size(4, 4, pipeline::ColorFormat::rgba8));
+  for (const GLbitfield mask : {GL_COLOR_BUFFER_BIT, GL_PIXEL_MODE_BIT}) {
+    DrawBuffer(context, GL_FRONT);
+    ReadBuffer(context, GL_FRONT);
+    PushAttrib(context, mask);
+    DrawBuffer(context, GL_NONE);
+    ReadBuffer(context, GL_FRONT_LEFT);
+    GLint red_bits = 0;
+    make_current(&context);
+    glGetIntegerv(GL_RED_BITS, &red_bits);
+    EXPECT_EQ(red_bits, 8);
+    PopAttrib(context);
+    const bool draw = mask == GL_COLOR_BUFFER_BIT;
+    EXPECT_EQ(context.framebuffers.draw->draw_buffer, GLenum(draw ? GL_FRONT : GL_NONE));
+    EXPECT_EQ(context.framebuffers.read->read_buffer, GLenum(draw ? GL_FRONT_LEFT : GL_FRONT));
+  }
+}
+
 TEST(AttributeStack, RestoresAGroupIfAndOnlyIfItsBitWasPushed) {
   for (const Change& change : changes) {
     for (int bit = 0; bit < 32; ++bit) {

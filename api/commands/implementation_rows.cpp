@@ -23,9 +23,9 @@ void read_line_range(const Context&, StateValue& v) {
 // 8 bits to a byte, four components a pixel.
 template <int channel>
 void read_color_bits(const Context& c, StateValue& v) {
-  const TargetInfo target = c.target_info();
-  const bool exists = (target.color_channels >> channel & 1) != 0;
-  set(v, exists ? pipeline::bytes_per_pixel(target.format.color) * 2 : 0);
+  const pipeline::Framebuffer* const target = c.target();  // its bits, whatever the draw buffer is
+  const bool exists = target != nullptr && (target->color_channels >> channel & 1) != 0;
+  set(v, exists ? pipeline::bytes_per_pixel(target->color_format) * 2 : 0);
 }
 
 void read_depth_bits(const Context& c, StateValue& v) {

@@ -91,6 +91,7 @@ class Context {
   pipeline::Framebuffer* window() { return window_.get(); }
   /// What is drawn into, and what is read from: null if it does not exist.
   pipeline::Framebuffer* target() { return renderer_.target(); }
+  const pipeline::Framebuffer* target() const { return renderer_.target(); }
   pipeline::Framebuffer* read_target() { return read_target_; }
   /// True if something was drawn into the window system's framebuffer since the last call.
   bool take_window_dirty();
