@@ -27,7 +27,7 @@ constexpr std::size_t entry_limit = std::size_t{1} << 19;
 constexpr std::size_t entries_worth_waking = 64;
 
 /// What a tile's entries refer to lies scattered over the arena: it is fetched this many primitives ahead of its use, and
-/// what that refers to again (shared vertices, the depths that a small triangle will be tested against) this many.
+/// the vertices that triangles share this many. (To fetch depths as well has stopped to pay since runs are long.)
 constexpr std::int32_t prefetch_distance = 64, prefetch_near_distance = 32;
 
 /// A triangle that touches more tiles than this is set up once, before it is binned.
@@ -41,21 +41,6 @@ static_assert(largest_waiting <= 0xFFFF && longest_run_bytes / sizeof(WaitingTri
 
 constexpr std::size_t largest_record =
     sizeof(ColoredPrimitive) + sizeof(VaryingRecord) + (max_varyings * sizeof(VaryingPlane) + 63) / 64 * 64;
-
-void prefetch_depth(const WaitingTriangle& triangle, std::int32_t tile_x, std::int32_t tile_y, const std::byte* depth,
-                    std::int32_t bytes_per_depth) {
-  constexpr std::int32_t small = 2 * block_size;
-  if (triangle.x1 - triangle.x0 > small || triangle.y1 - triangle.y0 > small) return;
-  const std::int32_t x0 = std::max(triangle.x0 - tile_x, 0) / block_size;
-  const std::int32_t x1 = (std::min(triangle.x1 - tile_x, tile_size) - 1) / block_size;
-  const std::int32_t y0 = std::max(triangle.y0 - tile_y, 0), y1 = std::min(triangle.y1 - tile_y, tile_size);
-  for (std::int32_t x = x0; x <= x1; ++x) {
-    for (std::int32_t y = y0 & ~1; y < y1; y += 2) {
-      const std::int32_t pixel = (y / block_size * blocks_per_tile_row + x) * pixels_per_block + y % block_size * block_size;
-      __builtin_prefetch(depth + pixel * bytes_per_depth, 1);
-    }
-  }
-}
 
 /// The tile's pixels, for drawing: carries out the clears that wait there.
 TileTarget tile_target(const Framebuffer& target, std::int32_t tile_x, std::int32_t tile_y, std::int32_t sample) {
@@ -314,11 +299,7 @@ bool TileBins::full() const {
 /// Fetches what the entries of a bin refer to, some way ahead of the one that is run.
 class TileBins::LookAhead {
  public:
-  LookAhead(std::span<const Entry> bin, std::int32_t x, std::int32_t y, const TiledBuffer& depth)
-      : bin_(bin), x_(x), y_(y), bytes_per_depth_(depth.bytes_per_pixel()),
-        depth_(depth.empty() ? nullptr : depth.tile_storage(x / tile_size, y / tile_size)) {
-    fetch();
-  }
+  explicit LookAhead(std::span<const Entry> bin) : bin_(bin) { fetch(); }
 
   /// Entry `i` has been run: they are in order.
   void pass(std::size_t i) {
@@ -331,7 +312,7 @@ class TileBins::LookAhead {
   void fetch() {
     for (; fetched_ < bin_.size() && ahead_ < prefetch_distance; ahead_ += bin_[fetched_++].count) prefetch(bin_[fetched_]);
     for (; near_fetched_ < bin_.size() && near_ahead_ < prefetch_near_distance; near_ahead_ += bin_[near_fetched_++].count) {
-      if (bin_[near_fetched_].kind == EntryKind::triangles) prefetch_of_triangles(bin_[near_fetched_]);
+      if (bin_[near_fetched_].kind == EntryKind::triangles) prefetch_vertices(bin_[near_fetched_]);
     }
   }
 
@@ -341,21 +322,17 @@ class TileBins::LookAhead {
     for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
   }
 
-  void prefetch_of_triangles(const Entry& entry) const {
+  static void prefetch_vertices(const Entry& entry) {
     const std::size_t vertex_bytes = kept_vertex_size(*entry.state);
     const auto* triangles = static_cast<const std::byte*>(entry.what);
     for (std::size_t i = 0; i < static_cast<std::size_t>(entry.count); ++i) {
       const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(triangles + i * entry.bytes);
-      if (triangle.shared != nullptr) {
-        for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(&vertex_of(triangle, k, vertex_bytes));
-      }
-      if (depth_ != nullptr) prefetch_depth(triangle, x_, y_, depth_, bytes_per_depth_);
+      if (triangle.shared == nullptr) return;  // none of the run shares any
+      for (std::size_t k = 0; k < 3; ++k) __builtin_prefetch(&vertex_of(triangle, k, vertex_bytes));
     }
   }
 
   std::span<const Entry> bin_;
-  std::int32_t x_, y_, bytes_per_depth_;
-  const std::byte* depth_;
   std::size_t fetched_ = 0, near_fetched_ = 0;  ///< the first entry that is not
   std::int32_t ahead_ = 0, near_ahead_ = 0;     ///< primitives before it that have not been run
 };
@@ -424,7 +401,7 @@ void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
   const Framebuffer& target = samples_.empty() ? *target_ : samples_[static_cast<std::size_t>(bin_index / tiles)];
   const std::int32_t tile_x = tile % target.tiles_x, tile_y = tile / target.tiles_x;
   const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
-  LookAhead look_ahead(bin, x, y, target.depth);
+  LookAhead look_ahead(bin);
   TileTarget pixels;
   bool touched = false;  // `pixels` is valid: no clear since, no accumulation
   for (std::size_t i = 0; i < bin.size();) {
