@@ -17,7 +17,7 @@ enum class ReferenceKind : std::uint8_t {
 /// The steps of the pipeline whose methods a scene shows; the others would draw as the default does.
 using Steps = std::vector<std::string_view>;
 inline const Steps polygon_steps{"coverage", "ownership", "clipping", "colors", "shading", "depth", "antialiasing"};
-inline const Steps lit_steps{"coverage", "ownership", "clipping", "colors", "shading", "depth", "antialiasing", "lighting"};
+inline const Steps lit_steps{"coverage", "ownership", "clipping", "colors", "shading", "depth", "antialiasing", "highlight", "power"};
 inline const Steps flat_steps{"coverage", "ownership", "clipping", "depth", "antialiasing"};  ///< one colour a polygon
 inline const Steps line_steps{"lines", "colors"};
 inline const Steps point_steps{"points"};

@@ -192,7 +192,7 @@ std::vector<Sweep> color_sweeps() {
        {{"peak", "brightness that the highlight loses, 1/255", lost_peak}, {"color", "mean colour error, 1/255", color_beyond_rounding}},
        {{"default", "peak", 48, 64, 8.0},
         {"default", "peak", 3, 8, {}, 20, "a highlight between the corners is not seen by them"},
-        {"shading=phong", "peak", 6, 64, 2.0}},
+        {"shading=phong", "peak", 6, 64, 8.0}},
        SweepReference::house,
        {"shading"},
        [](double knob) { return -knob; },

@@ -199,7 +199,7 @@ std::vector<Sweep> depth_sweeps() {
        {0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1},
        {{"wrong", "pixels that show the wrong surface, %", wrong_surface_percent}},
        {{"default", "wrong", 0, 1, 0.0},
-        {"depth=painter", "wrong", 0.8, 1, {}, 5.0, "no order of three triangles shows a cycle"}},
+        {"depth=painter", "wrong", 0.8, 1, {}, 1.0, "no order of three triangles shows a cycle"}},
        SweepReference::house,
        {"depth"}},
       decal_sweep("decals_with_offset", "cards in the plane of a leaning board, glPolygonOffset(-1, -1)", lifted_decals,

@@ -62,7 +62,7 @@ Sweep light_sweep(std::string_view name, std::string_view shows, Drawing (*setup
           {{"color", "largest colour error, 1/255", color_max}, {"mean", "mean colour error beyond rounding, 1/255", color_beyond_rounding}},
           {expectation},
           SweepReference::house,
-          {"lighting"},
+          {"highlight", "power"},
           [](double knob) { return knob; },
           log_x};
 }
