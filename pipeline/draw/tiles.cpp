@@ -27,7 +27,7 @@ constexpr std::size_t entry_limit = std::size_t{1} << 19;
 constexpr std::size_t entries_worth_waking = 64;
 
 /// What a tile's entries refer to lies scattered over the arena: it is fetched this many primitives ahead of its use, and
-/// the vertices that triangles share this many. (To fetch depths as well has stopped to pay since runs are long.)
+/// its state's binding and the vertices that triangles share this many. (To fetch depths as well has stopped to pay since runs are long.)
 constexpr std::int32_t prefetch_distance = 64, prefetch_near_distance = 32;
 
 /// A triangle that touches more tiles than this is set up once, before it is binned.
@@ -310,16 +310,24 @@ class TileBins::LookAhead {
 
  private:
   void fetch() {
-    for (; fetched_ < bin_.size() && ahead_ < prefetch_distance; ahead_ += bin_[fetched_++].count) prefetch(bin_[fetched_]);
+    for (; fetched_ < bin_.size() && ahead_ < prefetch_distance; ahead_ += bin_[fetched_++].count) {
+      if (has_new_state(fetched_)) prefetch(bin_[fetched_].state, sizeof(SetupState));
+      prefetch(bin_[fetched_]);
+    }
     for (; near_fetched_ < bin_.size() && near_ahead_ < prefetch_near_distance; near_ahead_ += bin_[near_fetched_++].count) {
+      if (has_new_state(near_fetched_)) prefetch(bin_[near_fetched_].state->binding, sizeof(RasterBinding));
       if (bin_[near_fetched_].kind == EntryKind::triangles) prefetch_vertices(bin_[near_fetched_]);
     }
   }
 
+  bool has_new_state(std::size_t i) const { return bin_[i].state != nullptr && (i == 0 || bin_[i].state != bin_[i - 1].state); }
+  static void prefetch(const void* what, std::size_t size) {
+    for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(static_cast<const std::byte*>(what) + line);
+  }
+
   static void prefetch(const Entry& entry) {
     const std::size_t size = entry.bytes > 0 ? static_cast<std::size_t>(entry.count) * entry.bytes : sizeof(ColoredPrimitive);
-    const auto* bytes = static_cast<const std::byte*>(entry.what);
-    for (std::size_t line = 0; line < size; line += 64) __builtin_prefetch(bytes + line);
+    prefetch(entry.what, size);
   }
 
   static void prefetch_vertices(const Entry& entry) {
