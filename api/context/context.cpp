@@ -190,22 +190,40 @@ void Context::refresh() {
   if (dirty == 0) return;
   if ((dirty & ~dirty_material) != 0) {
     const TargetInfo target = target_info();
-    pipeline::DrawState next = draw_state_;
-    update_draw_state(state, target, dirty, next);
-    pipeline::apply_methods(target.format.methods, next);
-    pixel_draw_valid_ = pixel_draw_valid_ && next == draw_state_ && target.format == pixel_draw_format_;
-    // Passes are of a format: another target may need others for an equal state.
-    if (next != draw_state_ || target.format != plan_format_) {
-      if (target.format != plan_format_ || differ_for(immediate.batch_modes, draw_state_, next)) flush_vertices();
-      next.lighting.material = draw_state_.lighting.material;
-      draw_state_ = next;
-      hold_textures();
-      plan_ = pipeline::make_plan(draw_state_, target.format);
-      plan_format_ = target.format;
+    next_draw_state_.lighting.material = draw_state_.lighting.material;
+    std::uint32_t parts = update_draw_state(state, target, dirty, next_draw_state_);
+    if (target.format.methods != pipeline::Methods{}) {
+      pipeline::apply_methods(target.format.methods, next_draw_state_);
+      parts = dirty_all;
     }
+    // Passes are of a format: another target may need others for an equal state.
+    const bool other_format = target.format != plan_format_;
+    const std::uint32_t changed = differing_parts(draw_state_, next_draw_state_, parts);
+    pixel_draw_valid_ = pixel_draw_valid_ && changed == 0 && target.format == pixel_draw_format_;
+    if (changed != 0 || other_format) take_draw_state(changed, target.format, other_format);
   }
   if ((dirty & ~(dirty_transform | dirty_viewport)) != 0) apply_material();
   dirty_ = 0;
+}
+
+// The changed parts of next_draw_state_, and what follows from them.
+void Context::take_draw_state(std::uint32_t changed, const pipeline::TargetFormat& format, bool other_format) {
+  if (other_format || differ_for(immediate.batch_modes, changed, draw_state_, next_draw_state_)) {
+    try {
+      flush_vertices();
+    } catch (...) {  // no memory: the parts are dirty still, and taken again next time
+      next_draw_state_ = draw_state_;
+      throw;
+    }
+  }
+  next_draw_state_.lighting.material = draw_state_.lighting.material;
+  const bool moved_only = (changed & ~(dirty_transform | dirty_viewport)) == 0 &&
+                          draw_state_.clip_planes.count == next_draw_state_.clip_planes.count;
+  copy_parts(next_draw_state_, changed, draw_state_);
+  if ((changed & dirty_textures) != 0) hold_textures();
+  if (moved_only && !other_format) return;  // no stage more or less
+  plan_ = pipeline::make_plan(draw_state_, format);
+  plan_format_ = format;
 }
 
 void Context::unbind_texture(const TextureBinding& texture) {

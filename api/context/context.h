@@ -184,6 +184,7 @@ class Context {
   void tile_attachments(const FramebufferObject& framebuffer);
   void draw_pending();
   void hold_textures();
+  void take_draw_state(std::uint32_t changed, const pipeline::TargetFormat& format, bool other_format);
   void trace_plan() const;
 
   bool intercepting_ = false;
@@ -199,6 +200,7 @@ class Context {
   std::array<std::shared_ptr<const pipeline::Texture>, max_texture_units> held_textures_;  // of draw_state_.texturing
   std::shared_ptr<RenderbufferNames> renderbuffer_names_;
   pipeline::DrawState draw_state_{};
+  pipeline::DrawState next_draw_state_{};  ///< refresh() works here; the same between its calls, material apart
   pipeline::Plan plan_{};
   pipeline::TargetFormat plan_format_{};  ///< the plan's
   pipeline::PixelDraw pixel_draw_{};

@@ -78,17 +78,17 @@ void append_material(VertexBatch& batch, const pipeline::MaterialPair& material)
 
 }  // namespace
 
-bool differ_for(std::uint32_t modes, const pipeline::DrawState& a, const pipeline::DrawState& b) {
+bool differ_for(std::uint32_t modes, std::uint32_t parts, const pipeline::DrawState& a, const pipeline::DrawState& b) {
+  if ((parts & ~dirty_assembly) != 0) return true;
   const bool polygons = (modes & ~(mode_bit(PrimitiveMode::points) | line_modes)) != 0;
   const auto draws = [&](std::uint32_t kind, pipeline::PolygonMode polygons_as) {
     const auto& [front, back] = std::pair(a.assembly.polygon_mode_front, a.assembly.polygon_mode_back);
     return (modes & kind) != 0 || (polygons && (front == polygons_as || back == polygons_as));
   };
-  pipeline::DrawState changed = a;
-  if (!draws(mode_bit(PrimitiveMode::points), pipeline::PolygonMode::point)) changed.points = b.points;
-  if (!draws(line_modes, pipeline::PolygonMode::line)) changed.lines = b.lines;
-  if (!polygons) changed.polygons = b.polygons;
-  return changed != b;
+  if (a.assembly != b.assembly) return true;
+  if (draws(mode_bit(PrimitiveMode::points), pipeline::PolygonMode::point) && a.points != b.points) return true;
+  if (draws(line_modes, pipeline::PolygonMode::line) && a.lines != b.lines) return true;
+  return polygons && a.polygons != b.polygons;
 }
 
 void ElementSlots::clear() {

@@ -49,7 +49,7 @@ std::int32_t cut_multiple(pipeline::PrimitiveMode mode);
 
 /// Whether primitives of these modes (bit k: mode k) look different under one state and the other. Widths of lines, say,
 /// do not concern triangles.
-bool differ_for(std::uint32_t modes, const pipeline::DrawState& a, const pipeline::DrawState& b);
+bool differ_for(std::uint32_t modes, std::uint32_t parts, const pipeline::DrawState& a, const pipeline::DrawState& b);
 
 /// The components of what a vertex attribute takes from the current values.
 const float* current_value(const CurrentGroup& current, std::uint32_t attribute);

@@ -165,8 +165,8 @@ pipeline::PixelRect writable_rect(const State& state, const TargetInfo& target) 
 
 // Parts are computed in an order in which each depends only on those before; a part that depends on a fact of an
 // earlier one is computed again when that fact changes.
-void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
-                       pipeline::DrawState& draw_state) {
+std::uint32_t update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
+                                pipeline::DrawState& draw_state) {
   // The stencil test is one part with the faces that are drawn.
   if ((dirty & (dirty_raster | dirty_assembly)) != 0 && state.stencil.test_enabled) dirty |= dirty_raster | dirty_assembly;
   const pipeline::RasterState old_raster = draw_state.raster;
@@ -205,12 +205,14 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
         reported ? pipeline::PolygonState{} : polygon_state(state.polygon, draw_state.assembly, depth_matters);
     if (multisampled) draw_state.polygons.smooth = false;
   }
+  if (dirty & dirty_lighting) dirty |= dirty_assembly;  // has been computed, as far as it depends
   if (draw_state.assembly.cull != old_cull) dirty |= dirty_lighting;
 
   const bool old_normals_matter = normals_matter(draw_state);
   const std::uint8_t units = reported ? draw_state.report.texture_units : units_of(draw_state.texturing);
   if ((dirty & dirty_texture_coordinates) != 0 || draw_state.texture_coordinates.units != units) {
     draw_state.texture_coordinates = texture_coordinates_state(state, units);
+    dirty |= dirty_texture_coordinates;
   }
   if (dirty & dirty_lighting) {
     update_lighting(state.lighting, colors_matter, draw_state.assembly.cull, draw_state.lighting);
@@ -225,6 +227,39 @@ void update_draw_state(const State& state, const TargetInfo& target, std::uint32
   if (dirty & dirty_viewport) {
     draw_state.viewport = viewport_state(state, target, depth_matters);
   }
+  return dirty;
+}
+
+namespace {
+
+/// Calls visit(bit, member) for the members of a DrawState that the parts are.
+template <class Visit>
+void for_each_member(std::uint32_t parts, const Visit& visit) {
+  using Draw = pipeline::DrawState;
+  const auto part = [&](std::uint32_t bit, auto... members) {
+    if ((parts & bit) != 0) (visit(bit, members), ...);
+  };
+  part(dirty_transform, &Draw::transform, &Draw::clip_planes);
+  part(dirty_viewport, &Draw::viewport);
+  part(dirty_lighting, &Draw::lighting, &Draw::color_sum);
+  part(dirty_assembly, &Draw::assembly, &Draw::points, &Draw::lines, &Draw::polygons);
+  part(dirty_raster, &Draw::raster, &Draw::multisample, &Draw::report);
+  part(dirty_textures, &Draw::texturing);
+  part(dirty_texture_coordinates, &Draw::texture_coordinates);
+}
+
+}  // namespace
+
+std::uint32_t differing_parts(const pipeline::DrawState& a, const pipeline::DrawState& b, std::uint32_t parts) {
+  std::uint32_t differing = 0;
+  for_each_member(parts, [&](std::uint32_t bit, auto member) {
+    if (!(a.*member == b.*member)) differing |= bit;
+  });
+  return differing;
+}
+
+void copy_parts(const pipeline::DrawState& from, std::uint32_t parts, pipeline::DrawState& to) {
+  for_each_member(parts, [&](std::uint32_t, auto member) { to.*member = from.*member; });
 }
 
 pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target) {

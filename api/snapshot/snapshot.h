@@ -34,10 +34,14 @@ struct TargetInfo {
   bool accumulates = false;        ///< has an accumulation buffer
 };
 
-/// Brings the parts of `draw_state` that `dirty` names up to date, and those that depend on them. Material parameters
-/// are left alone: see canonical_material (lighting_snapshot.h).
-void update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
-                       pipeline::DrawState& draw_state);
+/// Brings the parts of `draw_state` that `dirty` names up to date, and those that depend on them; gives all these parts.
+/// Material parameters are left alone: see canonical_material (lighting_snapshot.h).
+std::uint32_t update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
+                                pipeline::DrawState& draw_state);
+
+/// Those of the parts that differ.
+std::uint32_t differing_parts(const pipeline::DrawState& a, const pipeline::DrawState& b, std::uint32_t parts);
+void copy_parts(const pipeline::DrawState& from, std::uint32_t parts, pipeline::DrawState& to);
 
 /// The state under which a raster position is a vertex of which everything is wanted [GL1.5 §2.13]; materials included.
 pipeline::DrawState raster_position_state(const State& state, const TargetInfo& target);

@@ -98,6 +98,29 @@ HWY_INLINE FactorPairs factors_from(const ChannelPairs& v) {
   return {fixed(v.even), fixed(v.odd)};
 }
 
+/// A channel in [0, 1] as a factor: to nearest, but so that with it 255 becomes the byte that the channel alone becomes.
+HWY_INLINE std::int32_t factor_of(float channel) {
+  const FloatTag d;
+  const FloatVector value = hn::Set(d, channel);
+  const auto to_nearest = [&](float most) HWY_ATTR {
+    return hn::GetLane(bits_after_adding(rounding_magic, hn::Mul(value, hn::Set(d, most)))) - rounding_bits;
+  };
+  // product() gives 32640 f / 2^15, rounded down, and bytes_of() the nearest multiple of 128.
+  constexpr std::int64_t full = 128 * 255;
+  const auto least = [](std::int64_t sum) { return static_cast<std::int32_t>(((sum << 15) + full - 1) / full); };
+  const std::int64_t byte = to_nearest(255.0f);
+  const std::int32_t lowest = byte == 0 ? 0 : least(128 * byte - 64), highest = byte == 255 ? 32768 : least(128 * byte + 64) - 1;
+  const std::int32_t nearest = to_nearest(32768.0f);
+  return nearest < lowest ? lowest : nearest > highest ? highest : nearest;
+}
+HWY_INLINE FactorPairs factors_of(float r, float g, float b, float a) {
+  const IntTag d;
+  const auto pair = [&](float low, float high) HWY_ATTR {
+    return hn::Set(d, static_cast<std::int32_t>(static_cast<std::uint32_t>(factor_of(low)) | static_cast<std::uint32_t>(factor_of(high)) << 16));
+  };
+  return {pair(r, b), pair(g, a)};
+}
+
 /// Rounded down.
 HWY_INLINE ChannelPairs product(const ChannelPairs& a, const FactorPairs& b) {
   const auto multiplied = [](IntVector x, IntVector y) HWY_ATTR {

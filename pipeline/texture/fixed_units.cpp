@@ -1,5 +1,5 @@
-// Takes a block with its varyings, gives the bytes of its textured colours. Leaves out blocks whose colour before the first
-// unit counts and is not white: a colour times white texels must round as the colour alone does, which floats see to.
+// Takes a block with its varyings, gives its texels, or the bytes of its textured colours. The colour before the first unit is
+// multiplied last: white texels give the bytes that the colour alone gives. Leaves out blocks where it has to come first.
 //
 // Texels and colours are channel pairs: R and B in one word, G and A in the other, each 16 bits that hold 0 to 1 as
 // 0 to 32640 (128 * 255): what is filtered and multiplied keeps 7 fractional bits beyond the target's 8, and each step
@@ -182,11 +182,32 @@ HWY_INLINE void sample(const FragmentBlock& block, const PreparedUnit& unit, con
   read_levels(unit, reader, coordinate_planes(block, layout_of(block, unit)), block.coverage, false);
 }
 
-/// Whether the colours before the first unit are 1 all over, or count for nothing.
-HWY_INLINE bool is_white(const FragmentBlock& block) {
-  if (!block.primitive->binding->colors) return true;
+/// The filtered texels of a unit, for what works in float.
+void sample_in_float(const FragmentBlock& block, const PreparedUnit& unit, TexelBlock& out) {
+  PairBlock texels;
+  sample(block, unit, DividedCoordinates(block, layout_of(block, unit)), texels);
+  const bool opaque = unit.base_format == BaseFormat::rgb;
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(IntTag())) {
+    if (lane_bits(block.coverage, lane) == 0) continue;
+    TexelVector value = texels_of(load(texels, lane));
+    if (opaque) value.channel[3] = hn::Set(FloatTag(), 1.0f);
+    for (std::size_t k = 0; k < 4; ++k) hn::Store(value.channel[k], FloatTag(), out.channel[k].data() + lane);
+  }
+}
+
+/// The colours before the first unit.
+enum class Primary : std::uint8_t { white, constant, varying };
+HWY_INLINE Primary primary_of(const FragmentBlock& block) {
+  if (!block.primitive->binding->colors) return Primary::white;  // they count for nothing
   const ColorRecord& color = color_of(*block.primitive);
-  return color.variation == ColorVariation::constant && color.base == std::array{1.0f, 1.0f, 1.0f, 1.0f};
+  if (color.variation != ColorVariation::constant) return Primary::varying;
+  return color.base == std::array{1.0f, 1.0f, 1.0f, 1.0f} ? Primary::white : Primary::constant;
+}
+
+/// Whether it makes no difference that they are multiplied last.
+HWY_INLINE bool all_modulate(const TextureUnits& units) {
+  return std::all_of(units.unit.begin(), units.unit.begin() + units.count,
+                     [](const PreparedUnit& unit) { return unit.state.environment.mode == EnvironmentMode::modulate; });
 }
 
 /// Alpha from one, the other channels from another.
@@ -220,31 +241,71 @@ void copy_texels(FragmentBlock& block, const PreparedUnit& unit) {
   }
 }
 
+using UnitTexels = std::array<PairBlock, max_texture_units>;
+
+/// The units' texels of a vector, one applied to the other.
+HWY_INLINE ChannelPairs combined(const TextureUnits& units, const UnitTexels& texels, std::size_t lane) {
+  ChannelPairs color = load(texels[0], lane);
+  if (units.unit[0].base_format == BaseFormat::rgb) color = with_alpha(color, hn::Set(IntTag(), pair_one));
+  for (std::size_t i = 1; i < static_cast<std::size_t>(units.count); ++i) color = applied(units.unit[i], load(texels[i], lane), color);
+  return color;
+}
+
+/// The bytes of texels times the block's colours, in float.
+HWY_INLINE IntVector multiplied(const FragmentBlock& block, const ChannelPairs& texels, float scale, std::size_t lane) {
+  const FloatTag d;
+  const TexelVector value = texels_of(texels);
+  const auto channel = [&](std::size_t k) HWY_ATTR {
+    return hn::Mul(hn::Mul(hn::Load(d, block.color[k].data() + lane), value.channel[k]), hn::Set(d, scale));
+  };
+  return pack_unorm8(channel(0), channel(1), channel(2), channel(3));
+}
+
+/// word_of(lane) for the vectors between the first covered one and the last.
+template <class WordOf>
+HWY_INLINE void store_words(FragmentBlock& block, const WordOf& word_of) {
+  const PairRange pairs = covered_pairs(block.coverage);
+  for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(IntTag())) {
+    hn::Store(word_of(lane), IntTag(), block.words.word.data() + lane);
+  }
+}
+
+HWY_INLINE void store_products(FragmentBlock& block, const TextureUnits& units, const UnitTexels& texels, Primary primary) {
+  const auto texel = [&](std::size_t lane) HWY_ATTR { return combined(units, texels, lane); };
+  if (primary == Primary::white) return store_words(block, [&](std::size_t lane) HWY_ATTR { return bytes_of(texel(lane)); });
+  if (primary == Primary::varying) {
+    return store_words(block, [&](std::size_t lane) HWY_ATTR { return multiplied(block, texel(lane), units.output_scale, lane); });
+  }
+  const auto& color = color_of(*block.primitive).base;
+  const FactorPairs factors = factors_of(color[0], color[1], color[2], color[3]);
+  store_words(block, [&](std::size_t lane) HWY_ATTR { return bytes_of(product(texel(lane), factors)); });
+}
+
 bool apply_units(FragmentBlock& block, const TextureUnits& units) {
   const PreparedUnit& first = units.unit[0];
   const bool replaces = first.state.environment.mode == EnvironmentMode::replace && first.base_format == BaseFormat::rgba;
-  if (!replaces && !is_white(block)) return false;
+  Primary primary = replaces ? Primary::white : primary_of(block);
+  if (primary != Primary::white && !all_modulate(units)) return false;
   if (gives_texels(units)) {
-    copy_texels(block, first);
-    return true;
+    if (primary == Primary::white) {
+      copy_texels(block, first);
+      return true;
+    }
+    // Bytes times a constant are often half way between two bytes: they go where floats take them, as with llvmpipe.
+    primary = Primary::varying;
   }
-  std::array<PairBlock, max_texture_units> texels;
+  UnitTexels texels;
   const auto count = static_cast<std::size_t>(units.count);
   for (std::size_t i = 0; i < count; ++i) {
     const DividedCoordinates at(block, layout_of(block, units.unit[i]));
     sample(block, units.unit[i], at, texels[i]);
   }
-  const PairRange pairs = covered_pairs(block.coverage);
-  for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(IntTag())) {
-    ChannelPairs color = load(texels[0], lane);
-    if (first.base_format == BaseFormat::rgb) color = with_alpha(color, hn::Set(IntTag(), pair_one));
-    for (std::size_t i = 1; i < count; ++i) color = applied(units.unit[i], load(texels[i], lane), color);
-    hn::Store(bytes_of(color), IntTag(), block.words.word.data() + lane);
-  }
+  store_products(block, units, texels, primary);
   return true;
 }
 
 FixedUnitsFunction select_fixed_units() { return apply_units; }
+SampleFunction select_sample() { return sample_in_float; }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
@@ -264,18 +325,23 @@ bool suits(const PreparedLevel& level, const SamplerState& sampler) {
 bool suits(const PreparedUnit& unit) {
   if (unit.state.target != TextureTarget::two_d || unit.format != TexelFormat::rgba8 || unit.srgb) return false;
   if (unit.state.sampler.max_anisotropy > 1) return false;
-  const bool rgb = unit.base_format == BaseFormat::rgb;
-  if (unit.base_format != BaseFormat::rgba && !rgb) return false;
-  const EnvironmentMode mode = unit.state.environment.mode;
-  if (mode != EnvironmentMode::replace && mode != EnvironmentMode::modulate && !(mode == EnvironmentMode::decal && rgb)) return false;
+  if (unit.base_format != BaseFormat::rgba && unit.base_format != BaseFormat::rgb) return false;
   return std::all_of(unit.levels.begin(), unit.levels.end(), [&](const PreparedLevel& level) { return suits(level, unit.state.sampler); });
+}
+
+bool replaces_or_modulates(const PreparedUnit& unit) {
+  const EnvironmentMode mode = unit.state.environment.mode;
+  return mode == EnvironmentMode::replace || mode == EnvironmentMode::modulate ||
+         (mode == EnvironmentMode::decal && unit.base_format == BaseFormat::rgb);
 }
 
 }  // namespace
 
+SampleFunction fixed_sample_function(const PreparedUnit& unit) { return suits(unit) ? GOURAUD_SIMD_PICK(select_sample)() : nullptr; }
+
 FixedUnitsFunction fixed_units_function(const TextureUnits& units) {
   const auto end = units.unit.begin() + units.count;
-  if (!std::all_of(units.unit.begin(), end, [](const PreparedUnit& unit) { return suits(unit); })) return nullptr;
+  if (!std::all_of(units.unit.begin(), end, [](const PreparedUnit& unit) { return suits(unit) && replaces_or_modulates(unit); })) return nullptr;
   return GOURAUD_SIMD_PICK(select_fixed_units)();
 }
 

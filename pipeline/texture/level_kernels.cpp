@@ -105,15 +105,6 @@ void read_in_float(const LevelRead& read, TexelBlock& out) {
   }
 }
 
-HWY_INLINE TexelVector unpack_pairs(const ChannelPairs& v) {
-  const hn::RebindToUnsigned<IntTag> du;
-  const auto low = [](IntVector pair) HWY_ATTR { return scaled(hn::And(pair, hn::Set(IntTag(), 0xFFFF)), pair_scale); };
-  const auto high = [&](IntVector pair) HWY_ATTR {
-    return scaled(hn::BitCast(IntTag(), hn::ShiftRight<16>(hn::BitCast(du, pair))), pair_scale);
-  };
-  return {{low(v.even), low(v.odd), high(v.even), high(v.odd)}};
-}
-
 /// The border colour as channel pairs: rounded to 1/32640.
 struct BorderPairs {
   std::int32_t even, odd;
@@ -146,7 +137,7 @@ void read_bilinear(const LevelRead& read, TexelBlock& out) {
     const IntVector weight_y = pair_weight(hn::Load(FloatTag(), y.weight.data() + lane));
     const ChannelPairs lower = lerp(texel(hn::Add(x0, y0)), texel(hn::Add(x1, y0)), weight_x);
     const ChannelPairs upper = lerp(texel(hn::Add(x0, y1)), texel(hn::Add(x1, y1)), weight_x);
-    store_texels(read, wanted, lane, unpack_pairs(lerp(lower, upper, weight_y)), out);
+    store_texels(read, wanted, lane, texels_of(lerp(lower, upper, weight_y)), out);
   }
 }
 

@@ -94,6 +94,10 @@ HWY_INLINE void read_minified(const PreparedUnit& unit, Reader& reader, float lo
   // The level of each lane; its LOD becomes the share of the next level.
   for (std::size_t lane = 0; lane < 64 && (mixes || !one_level); lane += hn::Lanes(d)) {
     const FloatVector v = hn::Load(d, lod + lane);
+    if (one_level) {
+      hn::Store(clamp_lanes(hn::Sub(v, hn::Set(d, first_level)), hn::Zero(d), hn::Set(d, 1.0f)), d, lod + lane);
+      continue;
+    }
     const FloatVector level = mixes ? hn::Floor(v) : hn::Sub(hn::Ceil(hn::Add(v, hn::Set(d, 0.5f))), hn::Set(d, 1.0f));
     const FloatVector kept = kept_between(level, first_level, last_level);
     hn::Store(kept, d, levels + lane);
@@ -137,8 +141,7 @@ HWY_INLINE void read_levels(const PreparedUnit& unit, Reader& reader, const Coor
   if (sampler.mip == MipFilter::none && lowest > 0.0f) return reader.read(0, sampler.minify, lanes, keeps_others);
 
   alignas(64) float lambda[64];
-  lod.lanes(lambda);
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) hn::Store(adjusted(hn::Load(d, lambda + lane)), d, lambda + lane);
+  lod.lanes(lambda, adjusted);
   const std::uint64_t minified = sampler.minify == sampler.magnify ? lanes : lanes & lanes_above_zero(lambda);
   if (minified != lanes) {
     reader.read(0, sampler.magnify, lanes & ~minified, keeps_others);

@@ -5,7 +5,8 @@
 //   d(P/Q)/dx = (P_x Q - P Q_x) / Q^2,
 // and the numerator does not change along x: it depends on the row alone, and that of d/dy on the column. So
 //   lambda = max(rho_x(row), rho_y(column)) - 2 log2 Q
-// with logarithms of 8 + 8 numbers a block and of one a lane; none where the whole block is magnified.
+// with logarithms of 8 + 8 numbers a block and of one a lane; none where the whole block is magnified. Where Q changes by at
+// most 1/16 from the block's centre, log2 Q of a lane is that of the centre and a short series.
 // choice: for lines the same formula, which stays within the bounds that the specification sets for approximations.
 #include <hwy/highway.h>
 
@@ -66,14 +67,14 @@ HWY_INLINE CoordinatePlanes coordinate_planes(const FragmentBlock& block, const 
 
 /// log2 of rho in the lanes of a block, before bias.
 class BlockLod {
+  using EightTag = hn::CappedTag<float, 8>;
+
  public:
   /// `size[k]`: texels of the base level that coordinate k = 1 stands for; 0 for those that do not count.
   HWY_INLINE BlockLod(const CoordinatePlanes& planes, const std::array<float, 3>& size) {
-    const FloatTag d;
     const LocalPlane& q = planes.denominator;
-    // Squares of the numerators: of d/dx in rows 0 to 7, then of d/dy in columns 0 to 7.
-    alignas(64) float squares[numbers];
-    const hn::CappedTag<float, 8> d8;
+    // Logarithms of the numerators: of d/dx in rows 0 to 7, then of d/dy in columns 0 to 7.
+    const EightTag d8;
     for (std::size_t i = 0; i < 8; i += hn::Lanes(d8)) {
       const auto step = hn::Load(d8, pair_column + i);
       auto along_x = hn::Zero(d8), along_y = hn::Zero(d8);
@@ -89,57 +90,95 @@ class BlockLod {
         along_x = hn::Add(along_x, hn::Mul(x, x));
         along_y = hn::Add(along_y, hn::Mul(y, y));
       }
-      hn::Store(along_x, d8, squares + i);
-      hn::Store(along_y, d8, squares + 8 + i);
+      hn::Store(hn::Mul(log2(d8, along_x), hn::Set(d8, 0.5f)), d8, logs_ + i);
+      hn::Store(hn::Mul(log2(d8, along_y), hn::Set(d8, 0.5f)), d8, logs_ + 8 + i);
     }
     const double rise_x = q.dx * 7, rise_y = q.dy * 7;
     const double lowest = q.value + std::min(rise_x, 0.0) + std::min(rise_y, 0.0);
     const double highest = q.value + std::max(rise_x, 0.0) + std::max(rise_y, 0.0);
+    const double center = 0.5 * (lowest + highest);
     q_ = {static_cast<float>(q.value), static_cast<float>(q.dx), static_cast<float>(q.dy)};
-    varies_ = q.dx != 0 || q.dy != 0;
-    for (std::size_t i = 16; i < numbers; ++i) squares[i] = 1.0f;
-    squares[16] = static_cast<float>(lowest);
-    squares[17] = static_cast<float>(highest);
-    for (std::size_t i = 0; i < numbers; i += hn::Lanes(d)) hn::Store(log2(d, hn::Load(d, squares + i)), d, logs_ + i);
-    for (std::size_t i = 0; i < 16; ++i) logs_[i] *= 0.5f;
+    varies_little_ = center > 0 && highest - lowest <= 0.125 * center;
+    if (varies_little_) {
+      const double scale = 1.0 / center;
+      change_ = {static_cast<float>((q.value - center) * scale), static_cast<float>(q.dx * scale), static_cast<float>(q.dy * scale)};
+    }
+    alignas(32) const float q_values[8] = {static_cast<float>(lowest), static_cast<float>(highest), static_cast<float>(center), 1, 1, 1, 1, 1};
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d8)) hn::Store(log2(d8, hn::Load(d8, q_values + i)), d8, logs_ + 16 + i);
 
     // Bounds of all lanes.
-    const auto [least_x, most_x] = std::minmax_element(logs_, logs_ + 8);
-    const auto [least_y, most_y] = std::minmax_element(logs_ + 8, logs_ + 16);
-    lowest_ = std::max(*least_x, *least_y) - 2.0f * logs_[17];
-    highest_ = std::max(*most_x, *most_y) - 2.0f * logs_[16];
+    const auto [least_x, most_x] = bounds(logs_);
+    const auto [least_y, most_y] = bounds(logs_ + 8);
+    lowest_ = std::max(least_x, least_y) - 2.0f * logs_[17];
+    highest_ = std::max(most_x, most_y) - 2.0f * logs_[16];
   }
 
   HWY_INLINE float lowest() const { return lowest_; }
   HWY_INLINE float highest() const { return highest_; }
 
-  /// All lanes.
-  HWY_INLINE void lanes(float* out) const {
+  /// adjusted(value) of all lanes.
+  template <class Adjust>
+  HWY_INLINE void lanes(float* out, const Adjust& adjusted) const {
     const FloatTag d;
-    alignas(64) float rows[16];
+    if (varies_little_) {
+      return store_lanes(out, change_, adjusted, [&](FloatVector e) HWY_ATTR {
+        // log2(1 + e) for |e| <= 1/16: the first five terms of the series, at most 1.5e-8 off.
+        constexpr float terms[] = {1.44269504f, -0.72134752f, 0.48089835f, -0.36067376f, 0.28853901f};
+        return hn::Add(hn::Set(d, logs_[18]), hn::Mul(e, polynomial(d, terms, e)));
+      });
+    }
+    store_lanes(out, q_, adjusted, [&](FloatVector q) HWY_ATTR { return log2(d, q); });
+  }
+
+ private:
+  /// log_of(value of the plane in a lane) is log2 Q.
+  template <class Adjust, class LogOf>
+  HWY_INLINE void store_lanes(float* out, const BlockPlane& plane, const Adjust& adjusted, const LogOf& log_of) const {
+    const FloatTag d;
     for (std::size_t pair = 0; pair < row_pairs; ++pair) {
-      std::fill(rows, rows + 8, logs_[2 * pair]);
-      std::fill(rows + 8, rows + 16, logs_[2 * pair + 1]);
       for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
-        const FloatVector numerator = hn::Max(hn::Load(d, rows + offset), column_logs(offset));
-        const FloatVector q = hn::Add(first_pair(q_, offset), hn::Mul(hn::Set(d, static_cast<float>(pair)), pair_step(q_)));
-        hn::Store(hn::Sub(numerator, hn::Mul(hn::Set(d, 2.0f), varies_ ? log2(d, q) : hn::Set(d, logs_[16]))), d,
-                  out + pair * pair_lanes + offset);
+        const FloatVector numerator = hn::Max(row_logs(pair, offset), column_logs(offset));
+        const FloatVector value = hn::Add(first_pair(plane, offset), hn::Mul(hn::Set(d, static_cast<float>(pair)), pair_step(plane)));
+        hn::Store(adjusted(hn::Sub(numerator, hn::Mul(hn::Set(d, 2.0f), log_of(value)))), d, out + pair * pair_lanes + offset);
       }
     }
   }
 
- private:
+  HWY_INLINE FloatVector row_logs(std::size_t pair, std::size_t offset) const {
+    const FloatTag d;
+#if HWY_TARGET == HWY_AVX3  // 16 lanes: two rows
+    return hn::IfThenElse(hn::FirstN(d, 8), hn::Set(d, logs_[2 * pair]), hn::Set(d, logs_[2 * pair + offset / 8 + 1]));
+#else
+    return hn::Set(d, logs_[2 * pair + offset / 8]);
+#endif
+  }
   HWY_INLINE FloatVector column_logs(std::size_t offset) const {
-    alignas(64) float columns[16];
-    for (std::size_t i = 0; i < 16; ++i) columns[i] = logs_[8 + i % 8];
-    return hn::Load(FloatTag(), columns + offset);
+    const FloatTag d;
+#if HWY_TARGET == HWY_AVX3
+    const auto columns = hn::Load(EightTag(), logs_ + 8 + offset);
+    return hn::Combine(d, columns, columns);
+#else
+    return hn::Load(d, logs_ + 8 + offset % 8);
+#endif
   }
 
-  static constexpr std::size_t numbers = 32;
-  alignas(64) float logs_[numbers];
-  BlockPlane q_;
-  bool varies_;
+  struct Bounds {
+    float least, most;
+  };
+  static HWY_INLINE Bounds bounds(const float* eight) {
+    const EightTag d8;
+    auto least = hn::Load(d8, eight), most = least;
+    for (std::size_t i = hn::Lanes(d8); i < 8; i += hn::Lanes(d8)) {
+      least = hn::Min(least, hn::Load(d8, eight + i));
+      most = hn::Max(most, hn::Load(d8, eight + i));
+    }
+    return {hn::GetLane(hn::MinOfLanes(d8, least)), hn::GetLane(hn::MaxOfLanes(d8, most))};
+  }
+
+  /// Of the numerators in rows and columns; of Q: the lowest, the highest, the centre's.
+  alignas(64) float logs_[24];
+  BlockPlane q_, change_;  ///< Q, and Q / Q_center - 1
+  bool varies_little_;
   float lowest_, highest_;
 };
 

@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "pipeline/raster/interpolation-inl.h"
+#include "pipeline/texture/channel_pairs-inl.h"
 #include "pipeline/texture/texel_access.h"
 #include "pipeline/texture/texture_units.h"
 
@@ -88,6 +89,15 @@ HWY_INLINE FloatVector scaled(IntVector v, float scale) {
 HWY_INLINE TexelVector unpack_unorm8(IntVector word) {
   constexpr float unit = 1.0f / 255.0f;
   return {{scaled(byte_of<0>(word), unit), scaled(byte_of<8>(word), unit), scaled(byte_of<16>(word), unit), scaled(byte_of<24>(word), unit)}};
+}
+
+HWY_INLINE TexelVector texels_of(const ChannelPairs& v) {
+  const hn::RebindToUnsigned<IntTag> du;
+  const auto low = [](IntVector pair) HWY_ATTR { return scaled(hn::And(pair, hn::Set(IntTag(), 0xFFFF)), pair_scale); };
+  const auto high = [&](IntVector pair) HWY_ATTR {
+    return scaled(hn::BitCast(IntTag(), hn::ShiftRight<16>(hn::BitCast(du, pair))), pair_scale);
+  };
+  return {{low(v.even), low(v.odd), high(v.even), high(v.odd)}};
 }
 
 /// Formats for the kernels that filter in float. Each gives R, G, B, A by base format.

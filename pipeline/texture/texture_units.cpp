@@ -68,7 +68,8 @@ void prepare_unit(const TextureUnitState& state, PreparedUnit& out) {
   out.base_format = texture_base_format(state);
   out.border = border_texel(state.sampler.border_color, out.base_format, state.sampler.compares);
   out.kernel = {level_kernel(out, TexelFilter::nearest), level_kernel(out, TexelFilter::linear)};
-  out.sample = sample_function(out);
+  const SampleFunction fixed = fixed_sample_function(out);
+  out.sample = fixed != nullptr ? fixed : sample_function(out);
   out.environment = environment_function(state.environment, out.base_format);
 }
 
