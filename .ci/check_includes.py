@@ -30,6 +30,7 @@ STAGE_DATA = {
     "pipeline/raster/primitive.h",
     "pipeline/raster/interpolation-inl.h",
     "pipeline/raster/pixel_image.h",
+    "pipeline/raster/method_shape.h",
     "pipeline/texture/image.h",
     "pipeline/framebuffer/framebuffer.h",
 }

@@ -4,6 +4,7 @@
 #include <GL/osmesa.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <random>
@@ -345,6 +346,35 @@ TEST_F(AffineTest, ColoursAreOffInTheMiddleByTheDifferenceOfTheDistances) {
   EXPECT_NEAR(middle(), 255 * 0.5, 4);
 }
 
+TEST_F(AffineTest, ColoursAreRightWhereTheyAreDividedOftenEnough) {
+  for (const char* method : {"colors=affine8", "colors=affine16", "colors=barycentric"}) {
+    choose(method);
+    EXPECT_NEAR(middle(), 255 * 0.75, 4) << method;
+  }
+}
+
+TEST_F(AffineTest, ColoursBetweenTheDivisionsAreOffByLittle) {
+  const auto picture = [&](const char* method) {
+    choose(method);
+    middle();
+    return pixels;
+  };
+  const std::vector<std::uint32_t> expected = picture("");
+  const auto worst = [&](const char* method) {
+    int most = 0;
+    const std::vector<std::uint32_t> found = picture(method);
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      most = std::max(most, std::abs(static_cast<int>(found[i] & 0xFF) - static_cast<int>(expected[i] & 0xFF)));
+    }
+    return most;
+  };
+  const int affine = worst("colors=affine"), by_16 = worst("colors=affine16"), by_8 = worst("colors=affine8");
+  EXPECT_GT(affine, 60);
+  EXPECT_LT(by_16, affine / 4);
+  EXPECT_LT(by_8, by_16);
+  EXPECT_LE(worst("colors=barycentric"), 1);
+}
+
 TEST_F(AffineTest, ColoursFollowAHintOnlyIfToldTo) {
   glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_FASTEST);
   choose("");
@@ -353,6 +383,43 @@ TEST_F(AffineTest, ColoursFollowAHintOnlyIfToldTo) {
   EXPECT_NEAR(middle(), 255 * 0.5, 4);
   glHint(GL_PERSPECTIVE_CORRECTION_HINT, GL_NICEST);
   EXPECT_NEAR(middle(), 255 * 0.75, 4);
+}
+
+class LineTest : public MethodsTest {
+ protected:
+  /// The pixels that a line from (x0, y0) to (x1, y1) has.
+  int pixels_of_line(const char* method, float x0, float y0, float x1, float y1) {
+    choose(method);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glBegin(GL_LINES);
+    glVertex2f(x0, y0);
+    glVertex2f(x1, y1);
+    glEnd();
+    glFinish();
+    return static_cast<int>(std::count_if(pixels.begin(), pixels.end(), [](std::uint32_t p) { return (p & 0xFF) != 0; }));
+  }
+};
+
+TEST_F(LineTest, NaivelyDrawnFallsToPiecesWhereItIsSteep) {
+  EXPECT_EQ(pixels_of_line("lines=naive", 2.5f, 2.5f, 42.5f, 12.5f), 41);
+  EXPECT_EQ(pixels_of_line("lines=naive", 2.5f, 2.5f, 12.5f, 42.5f), 11);
+  EXPECT_EQ(pixels_of_line("lines=naive", 2.5f, 2.5f, 2.5f, 42.5f), 1);
+}
+
+TEST_F(LineTest, OfStepsHasItsEndPointAsWell) {
+  for (const auto& [x, y] : {std::pair{42.5f, 12.5f}, {12.5f, 42.5f}}) {
+    EXPECT_EQ(pixels_of_line("", 2.5f, 2.5f, x, y), 40);
+    EXPECT_EQ(pixels_of_line("lines=dda", 2.5f, 2.5f, x, y), 41);
+    EXPECT_EQ(pixels_of_line("lines=bresenham", 2.5f, 2.5f, x, y), 41);
+  }
+}
+
+TEST_F(LineTest, OfBresenhamDoesNotSeePartsOfPixels) {
+  const auto picture = [&](float x) {
+    pixels_of_line("lines=bresenham", x, 2.1f, x + 40, 20.9f);
+    return pixels;
+  };
+  EXPECT_EQ(picture(3.01f), picture(3.98f));
 }
 
 TEST_F(MethodsTest, OfLinesByCoverageSpreadALineOverItsNeighbours) {

@@ -68,11 +68,17 @@ constexpr std::array choices{
     clipping<ClippingMethod::none>({"clipping", "none", "all is divided by w, wherever it lies", "the missing stage"}),
 
     lines<LineMethod::diamond_exit>({"lines", "diamond_exit", "pixels whose diamonds the line leaves, end points included", "GL 1.5, 3.4.1"}),
+    lines<LineMethod::naive>({"lines", "naive", "y = m x + b for every column: steep lines fall to pieces", "as taught"}),
+    lines<LineMethod::dda>({"lines", "dda", "slopes added step by step, in float", "Newman and Sproull 1973"}),
+    lines<LineMethod::bresenham>({"lines", "bresenham", "integers alone, between whole pixels", "Bresenham 1965"}),
     lines<LineMethod::coverage>({"lines", "coverage", "a rectangle with the area that it covers of each pixel, blended", "GL 1.5, 3.4.2.1; Gupta and Sproull 1981"}),
 
     colors<InterpolationMethod::perspective>({"colors", "perspective", "colour/w and 1/w are linear in the window, their quotient is exact",
                                               "Blinn 1992; Heckbert and Moreton 1991"}),
     colors<InterpolationMethod::affine>({"colors", "affine", "linear in the window, as if all had one depth", "Gouraud 1971"}),
+    colors<InterpolationMethod::affine8>({"colors", "affine8", "exact at every 8th pixel of a row, linear between", "Abrash 1997 (Quake, 1996)"}),
+    colors<InterpolationMethod::affine16>({"colors", "affine16", "exact at every 16th pixel of a row, linear between", "Abrash 1997 (Quake, 1996)"}),
+    colors<InterpolationMethod::barycentric>({"colors", "barycentric", "the vertices' values weighted by areas at every pixel, in float", "Moebius 1827; Blinn 1992"}),
     colors<InterpolationMethod::hint>({"colors", "hint", "affine where PERSPECTIVE_CORRECTION_HINT is FASTEST", "GL 1.5, 5.6"}),
 
     shading<ShadingMethod::gouraud>({"shading", "gouraud", "lit at the vertices, interpolated (flat where the shade model says so)", "Gouraud 1971"}),

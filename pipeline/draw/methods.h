@@ -26,11 +26,11 @@ enum class OwnershipMethod : std::uint8_t { top_left, all, none };
 enum class ClippingMethod : std::uint8_t { clip_space, guard_band, homogeneous, none };
 
 /// How lines become pixels [GL1.5 §3.4].
-enum class LineMethod : std::uint8_t { diamond_exit, coverage };
+enum class LineMethod : std::uint8_t { diamond_exit, naive, dda, bresenham, coverage };
 
 /// How colours, texture coordinates and all else but depth vary over a primitive [GL1.5 §3.4.1, §3.5.1].
 /// `hint`: as PERSPECTIVE_CORRECTION_HINT says; whoever makes a plan has resolved it.
-enum class InterpolationMethod : std::uint8_t { perspective, affine, hint };
+enum class InterpolationMethod : std::uint8_t { perspective, affine, affine8, affine16, barycentric, hint };
 
 /// Whether colours vary over a primitive: as the shade model says, or not at all.
 enum class ShadingMethod : std::uint8_t { gouraud, flat };
@@ -48,7 +48,13 @@ struct Methods {
   /// Triangles do not go the way of those that wait in the bins, but each with a MethodTriangle beside its record.
   /// Triangles reach the rasterizer that leave the viewport: its rectangle has to be cut out.
   bool leaves_viewport() const { return clipping != ClippingMethod::clip_space || coverage == CoverageMethod::homogeneous; }
-  bool shapes_triangles() const { return coverage != CoverageMethod::blocks8 || ownership != OwnershipMethod::top_left; }
+  bool shapes_triangles() const {
+    return coverage != CoverageMethod::blocks8 || ownership != OwnershipMethod::top_left || colors == InterpolationMethod::barycentric;
+  }
+  /// Lines are walked pixel by pixel.
+  bool walks_lines() const { return lines != LineMethod::diamond_exit && lines != LineMethod::coverage; }
+  /// Colours do not go from their planes right into the target.
+  bool keeps_colors() const { return colors >= InterpolationMethod::affine8; }
 };
 
 /// One way to do a step. The first row of a step is its default.

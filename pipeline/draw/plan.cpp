@@ -15,6 +15,7 @@
 #include "pipeline/fragment/coverage.h"
 #include "pipeline/fragment/depth.h"
 #include "pipeline/fragment/fog.h"
+#include "pipeline/fragment/interpolation_methods.h"
 #include "pipeline/fragment/polygon_stipple.h"
 #include "pipeline/fragment/sample_alpha.h"
 #include "pipeline/fragment/sample_count.h"
@@ -131,8 +132,8 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured;
   const auto shade = [&] {
-    if (plan.colors) plan.fragment.add(color_interpolation_pass());
-    if (has_varyings) plan.fragment.add(varying_interpolation_pass());
+    if (plan.colors) plan.fragment.add(color_interpolation_pass(target.methods.colors));
+    if (has_varyings) plan.fragment.add(varying_interpolation_pass(target.methods.colors));
     if (plan.textured) plan.fragment.add(packed ? texture_words_pass() : texture_pass());
     if (plan.secondary_color == SecondaryColor::interpolated) plan.fragment.add(color_sum_pass(target.color));
     if (plan.fog) plan.fragment.add(fog_pass(state.raster.fog.mode, target.color));
@@ -154,7 +155,8 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
   if (plan.counts_samples) plan.fragment.add(sample_count_pass());
   if (!shades_first) plan.fragment.early = plan.fragment.count;
   if (!plan.writes_color) return;
-  const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings;  // between interpolation and write
+  const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings ||
+                            target.methods.keeps_colors();  // between interpolation and write
   if (keeps_colors && !shades_first) shade();
   plan.fragment.add(keeps_colors ? blend_pass(state.raster, target.color, packed)
                                  : color_write_pass(target.color, state.raster.color_write_mask));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -31,6 +32,7 @@
 #include "pipeline/geometry/transform.h"
 #include "pipeline/geometry/viewport.h"
 #include "pipeline/raster/homogeneous.h"
+#include "pipeline/raster/line_methods.h"
 #include "pipeline/raster/method_triangle.h"
 #include "pipeline/raster/setup.h"
 #include "pipeline/raster/triangles.h"
@@ -136,6 +138,7 @@ struct Renderer::Implementation {
   void draw_unfilled(const AssembledTriangle& triangle, bool front);
   void draw_line(AssembledLine line);
   void draw_clipped_line(const AssembledLine& line);
+  void walk_line_by_method(const AssembledLine& line, void* memory);
   void draw_smooth_line(const AssembledLine& line);
   void draw_point(const AssembledPoint& point);
   bool stippled() const { return setup->lines.stipple_pattern != 0xFFFF; }
@@ -215,7 +218,7 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   mode_front = state.assembly.polygon_mode_front;
   mode_back = state.assembly.polygon_mode_back;
   plain_points = are_plain_points(*setup);
-  plain_lines = are_plain_lines(*setup);
+  plain_lines = are_plain_lines(*setup) && !plan.methods.walks_lines();
   unfilled = mode_front != PolygonMode::fill || mode_back != PolygonMode::fill;
   clip_attributes = {plan.eye_positions, plan.colors, setup->two_sided, plan.secondary_color != SecondaryColor::none,
                      varyings.of_vertices(), &state.clip_planes};
@@ -385,13 +388,17 @@ void Renderer::Implementation::finish_polygons() {
   smooth_parts.clear();
 }
 
-/// A triangle whose pixels another method than the default finds.
+/// A triangle whose pixels another method than the default finds, or whose vertices a pass wants to see.
 void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triangle) {
+  const std::size_t bytes = waiting_size(*setup, false);
+  auto* const copy = static_cast<std::byte*>(bins.allocate(bytes));
+  std::memcpy(copy, &triangle, bytes);
+  const auto& kept_triangle = *reinterpret_cast<const WaitingTriangle*>(copy);
   auto* memory = static_cast<std::byte*>(bins.allocate(record_size(*setup)));
-  set_up_triangle(*setup, triangle, memory);
+  set_up_triangle(*setup, kept_triangle, memory);
   auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
   record.scissored = true;
-  record.shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(*setup, triangle, methods, record));
+  record.shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(*setup, kept_triangle, methods, record));
   bins.add_smooth(record);
 }
 
@@ -468,11 +475,24 @@ void Renderer::Implementation::draw_clipped_line(const AssembledLine& line) {
   void* memory = bins.allocate(bytes);
   const auto& record = *static_cast<PrimitiveRecord*>(memory);
   pixels.clear();
+  if (methods.walks_lines() && setup->lines.width_px == 1.0f && !stippled()) return walk_line_by_method(line, memory);
   switch (setup_line(*setup, vertices, line, stipple_count, memory, pixels)) {
     case LinePixels::none: bins.take_back(bytes); break;
     case LinePixels::edges: bins.add_polygon(record); break;
     case LinePixels::list: bins.add_pixels(record, pixels, setup->scissor); break;
   }
+}
+
+/// The record is the default's, the pixels are the method's.
+void Renderer::Implementation::walk_line_by_method(const AssembledLine& line, void* memory) {
+  if (setup_line(*setup, vertices, line, stipple_count, memory, pixels) == LinePixels::none) return bins.take_back(record_size(*setup));
+  const auto position = [&](std::size_t i) {
+    const WindowVertex& vertex = vertices.window[line.vertex[i]];
+    return Point2{vertex.x, static_cast<double>(setup->target_height_px) - vertex.y_raster};
+  };
+  pixels.clear();
+  walk_line(methods.lines, position(0), position(1), pixels);
+  bins.add_pixels(*static_cast<const PrimitiveRecord*>(memory), pixels, setup->scissor);
 }
 
 /// Whole, or the stretches of unit rectangles that the stipple keeps [GL1.5 §3.4.2].

@@ -52,11 +52,15 @@ MethodTriangle method_triangle(const SetupState& state, const WaitingTriangle& t
   static_cast<SmoothShape&>(result) = smooth_triangle(state, triangle);
   const std::int64_t top = (std::int64_t{state.target_height_px} - 1) * subpixels;
   for (std::size_t i = 0; i < 3; ++i) {
-    const WindowVertex& window = vertex_of(triangle, i, kept_vertex_size(state)).window;
-    result.snapped[i] = {snap(window.x), top - snap(window.y_raster)};
+    const KeptVertex& vertex = vertex_of(triangle, i, kept_vertex_size(state));
+    result.snapped[i] = {snap(vertex.window.x), top - snap(vertex.window.y_raster)};
+    result.window[i] = &vertex.window;
+    result.color[i] = &vertex.color;
+    result.varyings[i] = varyings_of(vertex);
   }
   if (methods.ownership != OwnershipMethod::top_left) set_edges(result, methods.ownership, record);
   result.smooth = false;
+  result.color_scale = state.targets.color_scale;
   result.epsilon = methods.epsilon;
   result.rasterize = rasterizer_of(methods.coverage);
   return result;
