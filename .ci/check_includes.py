@@ -20,6 +20,7 @@ PUBLIC = {"GL/gl.h", "GL/osmesa.h", "GL/gouraud.h", "api/gouraud.h"}
 STAGE_DATA = {
     "pipeline/draw/draw_state.h",
     "pipeline/draw/methods.h",
+    "pipeline/draw/method_state.h",
     "pipeline/draw/sample_counter.h",
     "pipeline/draw/limits.h",
     "pipeline/draw/texture_state.h",

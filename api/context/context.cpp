@@ -110,6 +110,7 @@ Context::Context(const ContextConfig& config, Context* share_with)
                                                 : std::make_shared<RenderbufferNames>()),
       renderer_(pipeline::default_thread_count()) {
   intercepting_ = tracing_calls_;
+  renderer_.set_antialiasing(methods_.antialiasing);
   for (std::size_t i = 0; i < texture_target_count; ++i) {
     default_textures_[i] = std::make_shared<TextureObject>(static_cast<TextureTarget>(i));
   }
@@ -177,6 +178,7 @@ TargetInfo Context::target_info() const {
 void Context::set_methods(const pipeline::Methods& methods) {
   finish_rendering();
   methods_ = methods;
+  renderer_.set_antialiasing(methods.antialiasing);
   change(dirty_all);
 }
 

@@ -39,6 +39,14 @@ constexpr auto lines = choice<&Methods::lines, value>;
 template <auto value>
 constexpr auto colors = choice<&Methods::colors, value>;
 template <auto value>
+constexpr auto depth = choice<&Methods::depth, value>;
+template <auto value>
+constexpr auto highlight = choice<&Methods::highlight, value>;
+template <auto value>
+constexpr auto power = choice<&Methods::power, value>;
+template <auto value>
+constexpr auto antialiasing = choice<&Methods::antialiasing, value>;
+template <auto value>
 constexpr auto shading = choice<&Methods::shading, value>;
 
 constexpr std::array choices{
@@ -81,8 +89,31 @@ constexpr std::array choices{
     colors<InterpolationMethod::barycentric>({"colors", "barycentric", "the vertices' values weighted by areas at every pixel, in float", "Moebius 1827; Blinn 1992"}),
     colors<InterpolationMethod::hint>({"colors", "hint", "affine where PERSPECTIVE_CORRECTION_HINT is FASTEST", "GL 1.5, 5.6"}),
 
+    depth<DepthMethod::z>({"depth", "z", "window depth, in the bits of the visual (16, 24 or float)", "Catmull 1974"}),
+    depth<DepthMethod::z16>({"depth", "z16", "window depth in 65,536 steps", "Catmull 1974"}),
+    depth<DepthMethod::w>({"depth", "w", "the distance, in equal steps from near to far, 24 bits", "Blinn 1998"}),
+    depth<DepthMethod::w16>({"depth", "w16", "the distance, in equal steps from near to far, 16 bits", "Blinn 1998"}),
+    depth<DepthMethod::painter>({"depth", "painter", "triangles sorted by their mean depth, the farthest first; no buffer", "Newell, Newell, Sancha 1972"}),
+    depth<DepthMethod::ray>({"depth", "ray", "for each pixel the first triangle that its ray meets; no buffer", "Appel 1968; Moeller and Trumbore 1997"}),
+
     shading<ShadingMethod::gouraud>({"shading", "gouraud", "lit at the vertices, interpolated (flat where the shade model says so)", "Gouraud 1971"}),
     shading<ShadingMethod::flat>({"shading", "flat", "one colour a primitive, whatever the shade model", "Bouknight 1970"}),
+    shading<ShadingMethod::phong>({"shading", "phong", "normals interpolated, every fragment lit", "Phong 1975"}),
+
+    highlight<HighlightMethod::half_vector>({"highlight", "half_vector", "the power of (normal . half vector)", "Blinn 1977; GL 1.5, 2.14.1"}),
+    highlight<HighlightMethod::reflection>({"highlight", "reflection", "the power of (mirrored light . viewer)", "Phong 1975"}),
+
+    power<PowerMethod::reproducible>({"power", "reproducible", "powers of equal bits on every machine", "pipeline/simd/math-inl.h"}),
+    power<PowerMethod::libm>({"power", "libm", "powers of the C library", "C, pow"}),
+
+    antialiasing<AntialiasingMethod::none>({"antialiasing", "none", "one sample, in the middle of the pixel", "GL 1.5, 3.5.1"}),
+    antialiasing<AntialiasingMethod::area>({"antialiasing", "area", "triangles blended by the exact area that they cover of each pixel", "Catmull 1978"}),
+    antialiasing<AntialiasingMethod::multisample4>({"antialiasing", "multisample4", "four samples, each in a row and a column of its own", "Akeley 1993"}),
+    antialiasing<AntialiasingMethod::supersample2>({"antialiasing", "supersample2", "2x2 samples, each shaded", "Crow 1977"}),
+    antialiasing<AntialiasingMethod::supersample4>({"antialiasing", "supersample4", "4x4 samples, each shaded", "Crow 1977"}),
+    antialiasing<AntialiasingMethod::supersample8>({"antialiasing", "supersample8", "8x8 samples, each shaded", "Crow 1977"}),
+    antialiasing<AntialiasingMethod::supersample16>({"antialiasing", "supersample16", "16x16 samples, each shaded", "Crow 1977"}),
+    antialiasing<AntialiasingMethod::supersample32>({"antialiasing", "supersample32", "32x32 samples, each shaded", "Crow 1977"}),
 };
 
 constexpr auto rows = [] {
@@ -195,6 +226,10 @@ void apply_methods(const Methods& methods, DrawState& state) {
   if (methods.shading == ShadingMethod::flat) state.assembly.shade_model = ShadeModel::flat;
   if (methods.lines == LineMethod::coverage) {
     state.lines.smooth = true;
+    blend_by_coverage(state);
+  }
+  if (methods.antialiasing == AntialiasingMethod::area) {
+    state.polygons.smooth = true;
     blend_by_coverage(state);
   }
 }

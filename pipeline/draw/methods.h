@@ -32,8 +32,21 @@ enum class LineMethod : std::uint8_t { diamond_exit, naive, dda, bresenham, cove
 /// `hint`: as PERSPECTIVE_CORRECTION_HINT says; whoever makes a plan has resolved it.
 enum class InterpolationMethod : std::uint8_t { perspective, affine, affine8, affine16, barycentric, hint };
 
-/// Whether colours vary over a primitive: as the shade model says, or not at all.
-enum class ShadingMethod : std::uint8_t { gouraud, flat };
+/// What a depth buffer holds [GL1.5 §4.1.6].
+enum class DepthMethod : std::uint8_t { z, z16, w, w16, painter, ray };
+
+/// Whether colours vary over a primitive: as the shade model says, not at all, or lit anew at every fragment.
+enum class ShadingMethod : std::uint8_t { gouraud, flat, phong };
+
+/// The cosine that a highlight is a power of [GL1.5 §2.14.1]: between normal and half vector, or mirrored light and viewer.
+enum class HighlightMethod : std::uint8_t { half_vector, reflection };
+/// Whose powers: ours, of equal bits everywhere, or the C library's.
+enum class PowerMethod : std::uint8_t { reproducible, libm };
+
+/// How much of a pixel is covered: by its centre, by the area of triangles, or by the mean of many samples.
+enum class AntialiasingMethod : std::uint8_t {
+  none, area, multisample4, supersample2, supersample4, supersample8, supersample16, supersample32
+};
 
 struct Methods {
   CoverageMethod coverage = CoverageMethod::blocks8;
@@ -42,15 +55,25 @@ struct Methods {
   ClippingMethod clipping = ClippingMethod::clip_space;
   LineMethod lines = LineMethod::diamond_exit;
   InterpolationMethod colors = InterpolationMethod::perspective;
+  DepthMethod depth = DepthMethod::z;
   ShadingMethod shading = ShadingMethod::gouraud;
+  HighlightMethod highlight = HighlightMethod::half_vector;
+  PowerMethod power = PowerMethod::reproducible;
+  AntialiasingMethod antialiasing = AntialiasingMethod::none;
   bool operator==(const Methods&) const = default;
 
   /// Triangles do not go the way of those that wait in the bins, but each with a MethodTriangle beside its record.
   /// Triangles reach the rasterizer that leave the viewport: its rectangle has to be cut out.
   bool leaves_viewport() const { return clipping != ClippingMethod::clip_space || coverage == CoverageMethod::homogeneous; }
   bool shapes_triangles() const {
-    return coverage != CoverageMethod::blocks8 || ownership != OwnershipMethod::top_left || colors == InterpolationMethod::barycentric;
+    return coverage != CoverageMethod::blocks8 || ownership != OwnershipMethod::top_left || colors == InterpolationMethod::barycentric || gathers_triangles();
   }
+  /// Lighting follows the equations to the letter.
+  bool lights_plainly() const { return highlight != HighlightMethod::half_vector || power != PowerMethod::reproducible; }
+  /// Depths are not those of DepthPlanes.
+  bool warps_depth() const { return depth != DepthMethod::z && !gathers_triangles(); }
+  /// Triangles wait until all that may hide each other are there.
+  bool gathers_triangles() const { return depth == DepthMethod::painter || depth == DepthMethod::ray; }
   /// Lines are walked pixel by pixel.
   bool walks_lines() const { return lines != LineMethod::diamond_exit && lines != LineMethod::coverage; }
   /// Colours do not go from their planes right into the target.

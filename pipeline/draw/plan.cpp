@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "pipeline/draw/phong_shading.h"
 #include "pipeline/draw/plan_textures.h"
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/alpha.h"
@@ -14,6 +15,7 @@
 #include "pipeline/fragment/color_write.h"
 #include "pipeline/fragment/coverage.h"
 #include "pipeline/fragment/depth.h"
+#include "pipeline/fragment/depth_methods.h"
 #include "pipeline/fragment/fog.h"
 #include "pipeline/fragment/interpolation_methods.h"
 #include "pipeline/fragment/polygon_stipple.h"
@@ -128,12 +130,13 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
 
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
 void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
-  const bool has_varyings = plan.textured || plan.fog;
+  const bool has_varyings = plan.textured || plan.fog || plan.phong;
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
-  const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured;
+  const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured && !plan.phong;
   const auto shade = [&] {
-    if (plan.colors) plan.fragment.add(color_interpolation_pass(target.methods.colors));
+    if (plan.colors && !plan.phong) plan.fragment.add(color_interpolation_pass(target.methods.colors));
     if (has_varyings) plan.fragment.add(varying_interpolation_pass(target.methods.colors));
+    if (plan.phong) plan.fragment.add(phong_shading_pass());
     if (plan.textured) plan.fragment.add(packed ? texture_words_pass() : texture_pass());
     if (plan.secondary_color == SecondaryColor::interpolated) plan.fragment.add(color_sum_pass(target.color));
     if (plan.fog) plan.fragment.add(fog_pass(state.raster.fog.mode, target.color));
@@ -145,11 +148,12 @@ void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan
   const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
   if (shades_first) shade();
   if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
-  const FragmentPass depth_test = plan.depth ? depth_test_pass(state.raster.depth.func, target.depth) : nullptr;
+  const auto depth_pass = target.methods.warps_depth() ? depth_method_pass : depth_test_pass;
+  const FragmentPass depth_test = plan.depth && !plan.gathers ? depth_pass(state.raster.depth.func, target.depth) : nullptr;
   if (plan.stencil) {
     plan.fragment.add(stencil_pass(target.depth));
     plan.fragment.depth_in_stencil = depth_test;
-  } else if (plan.depth) {
+  } else if (depth_test != nullptr) {
     plan.fragment.add(depth_test);
   }
   if (plan.counts_samples) plan.fragment.add(sample_count_pass());
@@ -244,6 +248,9 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
 
   // Which passes does that take?
   plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);
+  const CompareFunc func = state.raster.depth.func;
+  plan.gathers = target.methods.gathers_triangles() && plan.depth &&
+                 (func == CompareFunc::less || func == CompareFunc::lequal || func == CompareFunc::greater || func == CompareFunc::gequal);
   const bool shades = writes_color || plan.alpha_test || plan.sample_alpha;
   plan.textured = shades && state.texturing.count > 0;
   plan.colors = shades && (!plan.textured || textures_read_color(state.texturing));
@@ -254,9 +261,14 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   plan.writes_color = writes_color;
   plan.fog = plan.writes_color && state.raster.fog.mode != FogMode::none;
   plan.secondary_color = secondary_color(state, plan);
+  plan.phong = target.methods.shading == ShadingMethod::phong && plan.colors && state.lighting.enabled && state.lighting.light_count > 0;
   add_fragment_passes(state, target, plan);
 
   plan_vertices(state, plan);
+  if (plan.phong) {
+    plan.lighting = plan.colors = false;
+    plan.eye_positions = true;
+  }
   return plan;
 }
 
@@ -275,7 +287,7 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     constexpr std::array<std::string_view, 3> scaling{"", "rescaled", "normalized"};
     line("transform normals", scaling[static_cast<std::size_t>(state.transform.normal_scaling)], "§2.11.3");
   }
-  if (plan.lighting) line("light", describe_lights(state.lighting), "§2.14.1");
+  if (plan.lighting || plan.phong) line(plan.phong ? "light fragments" : "light", describe_lights(state.lighting), "§2.14.1");
   if (plan.vertex_colors) line("clamp vertex colors", plan.secondary_vertex_colors ? "and secondary colors" : "", "§2.14.6");
   if (plan.secondary_color == SecondaryColor::summed_at_vertices) line("add the secondary color", "at the vertices", "§3.9");
   for (std::size_t i = 0; plan.textured && i < state.texturing.count; ++i) {

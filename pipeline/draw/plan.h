@@ -38,6 +38,7 @@ struct Plan {
   bool normals = false;
   bool lighting = false;
   bool vertex_colors = false;  ///< without lighting: clamp the current colours
+  bool phong = false;          ///< in place of lighting and interpolated colours: fragments are lit
   bool secondary_vertex_colors = false;  ///< without lighting: and the secondary ones
 
   // What becomes of fragments besides.
@@ -48,6 +49,7 @@ struct Plan {
   // What is interpolated.
   bool colors = false;
   bool depth = false;
+  bool gathers = false;   ///< triangles that a method without a depth buffer sorts
   bool textured = false;  ///< the coordinates of the textured units; colours are then interpolated without scale
   bool fog = false;       ///< the fog coordinate
   SecondaryColor secondary_color = SecondaryColor::none;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <new>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -14,11 +16,16 @@
 #include <sched.h>
 #endif
 
+#include "pipeline/draw/antialiasing.h"
+#include "pipeline/draw/method_state.h"
+#include "pipeline/draw/phong_shading.h"
 #include "pipeline/draw/pixel_draws.h"
 #include "pipeline/draw/sample_counter.h"
 #include "pipeline/draw/tiles.h"
 #include "pipeline/draw/varying_layout.h"
+#include "pipeline/draw/visibility_methods.h"
 #include "pipeline/fragment/color_write.h"
+#include "pipeline/fragment/depth_methods.h"
 #include "pipeline/geometry/assembly.h"
 #include "pipeline/geometry/clip_planes.h"
 #include "pipeline/geometry/clipping.h"
@@ -26,6 +33,7 @@
 #include "pipeline/geometry/affine.h"
 #include "pipeline/geometry/colors.h"
 #include "pipeline/geometry/lighting.h"
+#include "pipeline/geometry/lighting_methods.h"
 #include "pipeline/geometry/normals.h"
 #include "pipeline/geometry/processed_vertices.h"
 #include "pipeline/geometry/texture_coordinates.h"
@@ -123,6 +131,7 @@ struct Renderer::Implementation {
   void project(const DrawState& state);
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   void draw_primitives(const DrawState& state, const VertexBatch& batch);
+  void select_material(const VertexBatch& batch, const PrimitiveRange& range);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
   void draw_range_of_triangles(const PrimitiveRange& range);
   SharedVertices share_vertices(const PrimitiveRange& range);
@@ -134,7 +143,9 @@ struct Renderer::Implementation {
   void flush_shapes();
   void add_homogeneous_triangle(const AssembledTriangle& triangle);
   bool draw_unclipped(const AssembledTriangle& triangle);
-  void add_method_triangle(const WaitingTriangle& triangle);
+  void add_method_triangle(const WaitingTriangle& triangle, const AssembledTriangle& assembled_triangle);
+  void add_shape(const PrimitiveRecord& record);
+  void give_gathered();
   void draw_unfilled(const AssembledTriangle& triangle, bool front);
   void draw_line(AssembledLine line);
   void draw_clipped_line(const AssembledLine& line);
@@ -148,8 +159,13 @@ struct Renderer::Implementation {
   void add_to_samples(const DrawState& state, Add add);
   PlacedImage* keep_image(const PixelRectangle& rectangle, const PlacedRectangle& placed);
   PrimitiveRecord& bitmap_record(const PixelDraw& draw, const FragmentSource& source);
+  void use_samples();
+  void accumulate_resolved(const AccumState& state);
+  void finish();
   /// Rasterizes what is pending.
   void run_bins() {
+    give_gathered();
+    drawn_since_resolve |= bins.pending();
     const IeeeFloats floats;
     bins.run();
     kept.clear();
@@ -160,6 +176,10 @@ struct Renderer::Implementation {
   }
 
   TileBins bins;
+  Framebuffer* target = nullptr;      ///< the program's
+  std::optional<Framebuffer> hidden;  ///< drawn into in its place, with the samples of the antialiasing method
+  AntialiasingMethod antialiasing = AntialiasingMethod::none;
+  bool drawn_since_resolve = false;
   std::vector<std::shared_ptr<const void>> kept;  ///< until the bins have run
   std::shared_ptr<SampleCounter> samples;
   std::size_t kept_image_bytes = 0;
@@ -174,7 +194,9 @@ struct Renderer::Implementation {
   bool unfilled = false;
   bool plain_points = false, plain_lines = false;
   Methods methods;
-  bool smooth_polygons = false, homogeneous = false;
+  bool smooth_polygons = false, homogeneous = false, phong = false, gathers = false;
+  GatheredTriangles gathered;
+  DepthMethod gathered_for = DepthMethod::z;
   ClipAttributes clip_attributes;
   AssembledPrimitives assembled;
   std::vector<AssembledTriangle> clipped;
@@ -211,10 +233,20 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
     binding.samples = samples.get();
     if (kept.empty() || kept.back() != samples) kept.push_back(samples);
   }
+  if (plan.phong || plan.methods.warps_depth()) {
+    auto* const method = new (bins.allocate(sizeof(MethodState))) MethodState{plan.methods, {}, state.lighting, 1.0f};
+    method->distance = distance_of_depth(state.transform, state.viewport);
+    method->color_scale = plan.textured ? 1.0f : color_scale(bins.target()->color_format);
+    binding.method = method;
+  }
   if (plan.writes_stencil) note_stencil(*bins.target());
   setup = bins.intern(make_setup_state(state, plan, *bins.target()), binding);
   smooth_polygons = state.polygons.smooth;
   homogeneous = plan.methods.coverage == CoverageMethod::homogeneous && !smooth_polygons;
+  phong = plan.phong;
+  gathers = plan.gathers && !smooth_polygons;
+  if (!gathers) give_gathered();
+  if (gathers) gathered_for = plan.methods.depth;
   mode_front = state.assembly.polygon_mode_front;
   mode_back = state.assembly.polygon_mode_back;
   plain_points = are_plain_points(*setup);
@@ -229,7 +261,11 @@ void Renderer::Implementation::run_vertex_stages(const DrawState& state, const P
   transform_to_clip(state.transform, batch, vertices);
   if (plan.eye_positions) transform_to_eye(state.transform, batch, vertices);
   if (plan.normals) transform_normals(state.transform, batch, vertices);
-  if (plan.lighting) light_vertices(state.lighting, batch, vertices);
+  if (plan.lighting) {
+    plan.methods.lights_plainly() ? light_vertices(state.lighting, plan.methods.highlight, batch, vertices)
+                                  : light_vertices(state.lighting, batch, vertices);
+  }
+  if (plan.phong) make_lighting_varyings(state.lighting, varyings, batch, vertices);
   if (plan.vertex_colors) clamp_vertex_colors(batch, vertices);
   if (plan.secondary_vertex_colors) clamp_secondary_colors(batch, vertices);
   for (int unit = 0; plan.textured && unit < max_texture_units; ++unit) {
@@ -323,7 +359,7 @@ void Renderer::Implementation::flush_shapes() {
       add_homogeneous_triangle(triangle);
     } else if (select_triangles(*setup, vertices, {&triangle, 1}, {}, selected.data()) > 0) {
       const auto& waiting = *reinterpret_cast<const WaitingTriangle*>(selected.data());
-      smooth_polygons ? set_up_smooth_part(waiting) : add_method_triangle(waiting);
+      smooth_polygons ? set_up_smooth_part(waiting) : add_method_triangle(waiting, triangle);
     }
   }
   ready.clear();
@@ -334,7 +370,8 @@ void Renderer::Implementation::add_homogeneous_triangle(const AssembledTriangle&
   auto* shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle;
   void* memory = bins.allocate(bytes);
   if (!setup_homogeneous(*setup, viewport, vertices, triangle, memory, *shape)) return bins.take_back(bytes);
-  bins.add_smooth(*static_cast<PrimitiveRecord*>(memory));
+  if (gathers) set_ray_corners(viewport, vertices, triangle, *shape);
+  add_shape(*static_cast<PrimitiveRecord*>(memory));
 }
 
 /// A triangle that lies partly outside, as the method has it. False: clip it.
@@ -389,7 +426,7 @@ void Renderer::Implementation::finish_polygons() {
 }
 
 /// A triangle whose pixels another method than the default finds, or whose vertices a pass wants to see.
-void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triangle) {
+void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triangle, const AssembledTriangle& assembled_triangle) {
   const std::size_t bytes = waiting_size(*setup, false);
   auto* const copy = static_cast<std::byte*>(bins.allocate(bytes));
   std::memcpy(copy, &triangle, bytes);
@@ -398,8 +435,25 @@ void Renderer::Implementation::add_method_triangle(const WaitingTriangle& triang
   set_up_triangle(*setup, kept_triangle, memory);
   auto& record = *reinterpret_cast<PrimitiveRecord*>(memory);
   record.scissored = true;
-  record.shape = new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(*setup, kept_triangle, methods, record));
-  bins.add_smooth(record);
+  auto* const shape =
+      new (bins.allocate(sizeof(MethodTriangle))) MethodTriangle(method_triangle(*setup, kept_triangle, methods, record));
+  if (gathers) set_ray_corners(viewport, vertices, assembled_triangle, *shape);
+  record.shape = shape;
+  add_shape(record);
+}
+
+void Renderer::Implementation::add_shape(const PrimitiveRecord& record) {
+  if (!gathers) return bins.add_smooth(record);
+  const CompareFunc func = record.binding->state.depth.func;
+  gathered.add(record, bins.selected_sample(), func == CompareFunc::less || func == CompareFunc::lequal);
+}
+
+/// What was gathered goes to the bins, before anything else does.
+void Renderer::Implementation::give_gathered() {
+  if (gathered.empty()) return;
+  const std::int32_t sample = bins.selected_sample();
+  gathered.give_to(bins, gathered_for);
+  bins.select_sample(sample);
 }
 
 /// Polygon modes [GL1.5 §3.5.4]: the face decides between filling, the boundary edges and their vertices.
@@ -534,6 +588,21 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   shape != nullptr ? bins.add_smooth(record) : bins.add_polygon(record);
 }
 
+/// Of the primitives that begin with this vertex, where fragments are lit.
+void Renderer::Implementation::select_material(const VertexBatch& batch, const PrimitiveRange& range) {
+  const std::int32_t first = range.indexed ? batch.elements[static_cast<std::size_t>(range.first)] : range.first;
+  const MaterialRun* run = nullptr;
+  for (const MaterialRun& next : batch.material_runs) {
+    if (next.first <= first) run = &next;
+  }
+  if (run == nullptr || setup->binding->method->lighting.material == run->material) return;
+  RasterBinding binding = *setup->binding;
+  auto* const method = new (bins.allocate(sizeof(MethodState))) MethodState(*binding.method);
+  method->lighting.material = run->material;
+  binding.method = method;
+  setup = bins.intern(*setup, binding);
+}
+
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   smooth_parts.clear();
@@ -541,6 +610,7 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
   const bool lasting_diagonal = unfilled || state.assembly.shade_model == ShadeModel::flat || state.raster.polygon_stipple.enabled;
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
     const PrimitiveRange& range = batch.primitives[i];
+    if (phong && !batch.material_runs.empty()) select_material(batch, range);
     if (range.mode == PrimitiveMode::quads && (i == 0 || batch.primitives[i - 1].mode != PrimitiveMode::quads)) {
       clipped_quads = (clipped_quads && !range.begins) || are_quads_clipped(batch, vertices, i);
     }
@@ -552,6 +622,7 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
     if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
     if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
     draw_range_of_triangles(range);
+    if (gathers && !(assembled.lines.empty() && assembled.points.empty())) give_gathered();
     // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
     const bool independent = range.mode == PrimitiveMode::lines;
     if (range.begins) stipple_count = 0;
@@ -574,8 +645,13 @@ constexpr std::array<std::array<float, 2>, max_samples> sample_positions{
 void Renderer::Implementation::draw_samples(const DrawState& state, const VertexBatch& batch) {
   const StippleCount stipple_before = stipple_count;
   for (std::size_t sample = 0; sample < static_cast<std::size_t>(bins.target()->samples); ++sample) {
-    if ((state.multisample.sample_mask >> sample & 1) == 0) continue;
+    if (!hidden && (state.multisample.sample_mask >> sample & 1) == 0) continue;
     bins.select_sample(static_cast<std::int32_t>(sample));
+    if (hidden) {
+      const auto [x, y] = sample_position(antialiasing, sample);
+      viewport.sample_shift_x = 0.5f - x;
+      viewport.sample_shift_y = 0.5f - y;
+    }
     if (state.multisample.enabled) {
       viewport.sample_shift_x = 0.5f - sample_positions[sample][0];
       viewport.sample_shift_y = 0.5f - sample_positions[sample][1];
@@ -588,15 +664,59 @@ void Renderer::Implementation::draw_samples(const DrawState& state, const Vertex
   bins.select_sample(0);
 }
 
+/// Draws into a hidden target from now on, if the method has samples. Without memory for it there is one sample.
+/// choice: targets that have several samples by themselves are drawn into as they are.
+void Renderer::Implementation::use_samples() {
+  hidden.reset();
+  bins.set_target(target);
+  const int count = samples_of(antialiasing);
+  if (target == nullptr || count == 1 || target->samples > 1) return;
+  try {
+    hidden = make_sampled(*target, count);
+    bins.set_target(&*hidden);
+    load_samples(*target, *hidden);
+  } catch (const std::bad_alloc&) {
+    hidden.reset();
+    bins.set_target(target);
+  }
+}
+
+/// The accumulation buffer is the program's target's [GL1.5 §4.2.4]: it adds up what has been resolved.
+void Renderer::Implementation::accumulate_resolved(const AccumState& state) {
+  finish();
+  bins.set_target(target);
+  bins.add_accum(state);
+  bins.run();
+  bins.set_target(&*hidden);
+  load_samples(*target, *hidden);
+}
+
+void Renderer::Implementation::finish() {
+  run_bins();
+  if (hidden && std::exchange(drawn_since_resolve, false)) resolve_samples(*hidden, *target);
+}
+
 Renderer::Renderer(int thread_count) : implementation_(std::make_unique<Implementation>(thread_count)) {}
 Renderer::~Renderer() = default;
 
-Framebuffer* Renderer::target() const { return implementation_->bins.target(); }
+Framebuffer* Renderer::target() const { return implementation_->target; }
 
 void Renderer::set_target(Framebuffer* target) {
   finish();
-  implementation_->bins.set_target(target);
+  implementation_->target = target;
+  implementation_->use_samples();
   set_observer(implementation_->observer);
+}
+
+void Renderer::set_antialiasing(AntialiasingMethod method) {
+  if (method == implementation_->antialiasing) return;
+  finish();
+  implementation_->antialiasing = method;
+  implementation_->use_samples();
+}
+
+void Renderer::target_changed() {
+  if (implementation_->hidden) load_samples(*implementation_->target, *implementation_->hidden);
 }
 
 void Renderer::set_receiver(PrimitiveReceiver* receiver) { implementation_->receiver = receiver; }
@@ -628,7 +748,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   // Vertices, then primitives in order.
   self.run_vertex_stages(state, plan, varyings, batch);
   self.batch_count = batch.count;
-  target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
+  self.bins.target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
   if (self.bins.full()) self.run_bins();
 }
 
@@ -681,7 +801,7 @@ PrimitiveRecord& Renderer::Implementation::bitmap_record(const PixelDraw& draw, 
 template <class Add>
 void Renderer::Implementation::add_to_samples(const DrawState& state, Add add) {
   for (std::int32_t sample = 0; sample < bins.target()->samples; ++sample) {
-    if (bins.target()->samples > 1 && (state.multisample.sample_mask >> sample & 1) == 0) continue;
+    if (!hidden && bins.target()->samples > 1 && (state.multisample.sample_mask >> sample & 1) == 0) continue;
     bins.select_sample(sample);
     add();
   }
@@ -770,13 +890,15 @@ void Renderer::write_rectangle(const DirectRectangle& rectangle) {
   for (int sample = 0; sample < target()->samples; ++sample) {
     pipeline::write_rectangle(target()->samples > 1 ? target()->sample(sample) : *target(), rectangle);
   }
+  target_changed();
 }
 
 void Renderer::clear(const ClearState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->clear(state);
   implementation_->dirty = true;
-  if (state.stencil && (state.clear_stencil & state.stencil_write_mask) != 0) note_stencil(*target());
+  if (state.stencil && (state.clear_stencil & state.stencil_write_mask) != 0) note_stencil(*implementation_->bins.target());
+  implementation_->give_gathered();
   implementation_->bins.add_clear(state);
   if (implementation_->bins.full()) implementation_->run_bins();
 }
@@ -790,6 +912,8 @@ void Renderer::accumulate(const AccumState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->accumulate(state);
   implementation_->dirty = true;
+  implementation_->give_gathered();
+  if (implementation_->hidden) return implementation_->accumulate_resolved(state);
   implementation_->bins.add_accum(state);
   if (implementation_->bins.full()) implementation_->run_bins();
 }
@@ -799,7 +923,7 @@ void Renderer::count_samples(std::shared_ptr<SampleCounter> counter) {
   implementation_->last_bitmap.record = nullptr;
 }
 
-void Renderer::finish() { implementation_->run_bins(); }
+void Renderer::finish() { implementation_->finish(); }
 
 bool Renderer::take_dirty() { return std::exchange(implementation_->dirty, false); }
 

@@ -44,6 +44,11 @@ class Renderer {
   void set_target(Framebuffer* target);
   Framebuffer* target() const;
 
+  /// Draws into many samples from now on, after finishing what is pending, and shows their mean.
+  void set_antialiasing(AntialiasingMethod method);
+  /// Others than the renderer have written to the target.
+  void target_changed();
+
   /// Draws the batch's primitives. `plan` is make_plan(state, target format) and may be shared by draws of equal state.
   void draw(const DrawState& state, const Plan& plan, const VertexBatch& batch);
   void clear(const ClearState& state);

@@ -68,6 +68,7 @@ class TileBins {
 
   /// Which sample of each pixel the next primitives are for. Clears are for all.
   void select_sample(std::int32_t sample) { first_bin_ = sample * target_->tile_count(); }
+  std::int32_t selected_sample() const { return first_bin_ / target_->tile_count(); }
   /// `count` triangles as select_triangles() wrote them, waiting_size bytes each: they are copied, and what they share
   /// has to be in memory of allocate().
   void add_triangles(const SetupState& state, const std::byte* waiting, std::size_t count, bool share);

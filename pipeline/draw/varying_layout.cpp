@@ -1,5 +1,6 @@
 #include "pipeline/draw/varying_layout.h"
 
+#include "pipeline/draw/phong_shading.h"
 #include "pipeline/geometry/texture_coordinates.h"
 
 namespace gouraud::pipeline {
@@ -34,6 +35,7 @@ VaryingLayout make_varying_layout(const DrawState& state, const Plan& plan, cons
     coordinates.has_q = !q_is_one(state.texture_coordinates.unit[unit.unit], batch, unit.unit);
     coordinates.first = append(coordinates.dimensions + (coordinates.has_q ? 1 : 0));
   }
+  if (plan.phong) layout.lighting = append(lighting_varyings(state.lighting));
   if (plan.fog) layout.fog_coordinate = append(1);
   if (plan.secondary_color == SecondaryColor::interpolated) layout.secondary_color = append(3);
   return layout;

@@ -160,6 +160,13 @@ void rasterize_homogeneous(const PrimitiveRecord& primitive, std::int32_t tile_x
 
 }  // namespace
 
+void set_ray_corners(const ViewportState& viewport, const ProcessedVertices& vertices, const AssembledTriangle& triangle, MethodTriangle& shape) {
+  const std::array<Row, 3> corners = homogeneous_corners(viewport, vertices, triangle);
+  for (std::size_t i = 0; i < 3; ++i) {
+    shape.ray[i] = {corners[i][0], corners[i][1], vertices.position_clip[2][triangle.vertex[i]], corners[i][2]};
+  }
+}
+
 bool setup_homogeneous(const SetupState& state, const ViewportState& viewport, const ProcessedVertices& vertices,
                        const AssembledTriangle& triangle, void* memory, MethodTriangle& shape) {
   // Edge functions: columns of the inverse matrix, without its determinant, whose sign is the facing.

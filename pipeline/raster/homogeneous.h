@@ -14,4 +14,7 @@ namespace gouraud::pipeline {
 bool setup_homogeneous(const SetupState& state, const ViewportState& viewport, const ProcessedVertices& vertices,
                        const AssembledTriangle& triangle, void* record, MethodTriangle& shape);
 
+/// The corners of a triangle as rays see them.
+void set_ray_corners(const ViewportState& viewport, const ProcessedVertices& vertices, const AssembledTriangle& triangle, MethodTriangle& shape);
+
 }  // namespace gouraud::pipeline

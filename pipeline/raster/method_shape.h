@@ -32,6 +32,12 @@ struct MethodTriangle : SmoothShape {
   std::array<Function, 3> edge{};
   Function z_ndc{};  ///< depth in [z_near, 1] in front of the near and far planes
   double z_near = -1;
+
+  /// The corners before the division, for rays: window x and y (y up) times w, clip z and w.
+  struct RayCorner {
+    double x = 0, y = 0, z = 0, w = 1;
+  };
+  std::array<RayCorner, 3> ray{};
 };
 
 /// Of a record whose shape is one.

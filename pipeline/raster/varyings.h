@@ -21,6 +21,7 @@ struct TextureCoordinateLayout {
 struct VaryingLayout {
   std::int8_t count = 0;
   std::int8_t secondary_color = -1;  ///< first of three, r, g, b, in [0, 1] and behind all others; -1: none
+  std::int8_t lighting = -1;  ///< first of those that lighting per fragment takes (draw/phong_shading.h); -1: none
   std::int8_t fog_coordinate = -1;   ///< the fog coordinate, or the distance |z_eye|; -1: none
   std::array<TextureCoordinateLayout, max_texture_units> texture_coordinates{};
   bool operator==(const VaryingLayout&) const = default;
@@ -28,6 +29,6 @@ struct VaryingLayout {
   int of_vertices() const { return secondary_color < 0 ? count : secondary_color; }
 };
 
-inline constexpr int max_varyings = 3 + 1 + 4 * max_texture_units;
+inline constexpr int max_varyings = 3 + 1 + 10 + 4 * max_texture_units;
 
 }  // namespace gouraud::pipeline
