@@ -106,7 +106,7 @@ double ProbeDriver::frames(int count) {
 
 std::vector<Contestant> all_contestants(const Paths& paths) {
   std::vector<Contestant> contestants;
-  for (const Method& method : all_methods()) {
+  for (const Method& method : all_methods(paths.our_library)) {
     // Only says who decides: affine or the default, as glHint has it.
     if (method.setting != "colors=hint") contestants.push_back(ours(paths, method));
   }

@@ -1,8 +1,10 @@
 #include "conformance/chart/methods.h"
 
+#include <cstring>
 #include <sstream>
+#include <stdexcept>
 
-#include <GL/gouraud.h>
+#include "conformance/harness/offscreen.h"
 
 namespace gouraud::chart {
 
@@ -33,6 +35,12 @@ std::vector<Method> methods_of_table(const std::string& table) {
   return methods;
 }
 
-std::vector<Method> all_methods() { return methods_of_table(gouraudMethodTable()); }
+std::vector<Method> all_methods(const std::string& library) {
+  void* const address = conformance::load_osmesa(library).GetProcAddress("gouraudMethodTable");
+  if (address == nullptr) throw std::runtime_error(library + " has no table of methods");
+  const char* (*table)() = nullptr;
+  std::memcpy(&table, &address, sizeof(table));
+  return methods_of_table(table());
+}
 
 }  // namespace gouraud::chart

@@ -14,8 +14,9 @@ struct Method {
   bool antialiases = false;  ///< pictures are to be judged by area coverage
 };
 
-/// The default, and one method for each row that is not its step's default.
-std::vector<Method> all_methods();
+/// The default, and one method for each row that is not its step's default. Throws std::runtime_error if the library has
+/// no table.
+std::vector<Method> all_methods(const std::string& library);
 
 /// The rows of a table as gouraudMethodTable() gives it.
 std::vector<Method> methods_of_table(const std::string& table);
