@@ -49,7 +49,7 @@ Options parse_options(std::span<char*> arguments) {
       options.out = value();
     } else if (option == "--quick") {
       options.chart.rounds = 3;
-      options.chart.area_grid = 8;
+      options.chart.area_grid = 11;
       options.chart.least_sample_s = 0.002;
     } else if (option == "--tiny") {
       options.chart.rounds = 1;

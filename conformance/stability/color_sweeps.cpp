@@ -213,7 +213,7 @@ std::vector<Sweep> color_sweeps() {
        {{"color", "mean colour error against area coverage, 1/255", color_beyond_rounding}},
        {{"default", "color", 8, 12, 2.5}, {"default", "color", 1, 1, {}, 5, "fields smaller than pixels are hit or missed"}},
        SweepReference::area,
-       {"antialiasing"},
+       {},  // a method that takes n x n samples itself would take them n x n times
        [](double) { return 1.0; },
        true},
       layer_sweep("layers_565", "layers of 2 % in 16 bits, 5-6-5", OSMESA_RGB_565, GL_UNSIGNED_SHORT_5_6_5,

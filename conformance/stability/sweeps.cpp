@@ -11,7 +11,7 @@ namespace {
 using chart::Owner;
 
 std::optional<Reference> reference_of(const Sweep& sweep, double knob) {
-  constexpr int area_grid = 16;
+  constexpr int area_grid = 17;  // no sampling method shares its places
   const double drawn = sweep.reference_knob(knob);
   switch (sweep.reference) {
     case SweepReference::none: return std::nullopt;
