@@ -20,6 +20,11 @@ void read_constant(const Context&, StateValue& v) {
   set(v, constant);
 }
 
+template <const float& constant>
+void read_real_constant(const Context&, StateValue& v) {
+  set(v, constant);
+}
+
 void read_compressed_formats(const Context&, StateValue& v) {
   std::copy(compressed_formats().begin(), compressed_formats().end(), v.components.begin());
 }
@@ -37,8 +42,8 @@ constexpr StateRow rows[] = {
     {GL_MAX_RECTANGLE_TEXTURE_SIZE_ARB, integer, 1, read_constant<max_texture_size>},
     {GL_NUM_COMPRESSED_TEXTURE_FORMATS, integer, 1, read_constant<compressed_format_count>},
     {GL_COMPRESSED_TEXTURE_FORMATS, integer, compressed_format_count, read_compressed_formats},
-    {GL_MAX_TEXTURE_LOD_BIAS, real, 1, read_constant<max_texture_lod_bias>},
-    {GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, real, 1, read_constant<max_texture_anisotropy>},
+    {GL_MAX_TEXTURE_LOD_BIAS, real, 1, read_real_constant<max_texture_lod_bias>},
+    {GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, real, 1, read_real_constant<max_texture_anisotropy>},
 };
 
 }  // namespace

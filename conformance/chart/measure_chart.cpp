@@ -71,7 +71,7 @@ void time_in_turns(SceneChart& chart, Drivers& drivers, const ChartOptions& opti
   }
   for (int round = 0; round < options.rounds; ++round) {
     // In another order each time: who comes after a slow one finds its caches cold.
-    if (round > 0) std::ranges::rotate(timings, timings.begin() + static_cast<std::ptrdiff_t>(timings.size() / 2 - (timings.size() > 4 ? 1 : 0)));
+    if (round > 0) std::rotate(timings.begin(), timings.begin() + static_cast<std::ptrdiff_t>(timings.size() / 2 - (timings.size() > 4 ? 1 : 0)), timings.end());
     options.progress(std::string(chart.scene->probe.name) + ": times, turn " + std::to_string(round + 1) + " of " +
                      std::to_string(options.rounds));
     for (Timing& timing : timings) {

@@ -162,7 +162,7 @@ void rasterize_aliased(const FragmentSink& sink, const std::array<WindowVertex, 
 
 /// A rectangle around the stretch of the line between two distances from its start [GL1.5 §3.4.2].
 void rasterize_stretch(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, double begin, double end) {
-  const auto& [a, b] = vertices;
+  const WindowVertex &a = vertices[0], &b = vertices[1];
   const double length = std::hypot(b.x - a.x, b.y - a.y), half = 0.5 * static_cast<double>(sink.lines.width_px);
   const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
   const auto corner = [&](double along, double across) {

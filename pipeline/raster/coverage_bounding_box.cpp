@@ -11,9 +11,9 @@ namespace gouraud::pipeline {
 
 void rasterize_bounding_box(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
   const auto value = [](const EdgeFunction& e, std::int64_t x, std::int64_t y) { return e.a * x + e.b * y + e.c; };
-  const auto& [first, second, third] = primitive.edges;
+  const auto& edges = primitive.edges;
   send_pixels(primitive, tile_x, tile_y, target, [&](std::int32_t x, std::int32_t y) {
-    return value(first, x, y) >= 0 && value(second, x, y) >= 0 && value(third, x, y) >= 0;
+    return value(edges[0], x, y) >= 0 && value(edges[1], x, y) >= 0 && value(edges[2], x, y) >= 0;
   });
 }
 

@@ -165,8 +165,9 @@ HWY_INLINE std::size_t cut_mask(std::uint64_t mask, std::int32_t x, std::int32_t
   std::size_t count = 0;
   const auto find = [&](std::uint64_t coverage, std::int32_t block_column, std::int32_t block_row) HWY_ATTR {
     found[count] = {coverage, block_column, block_row};
-    const auto in_tile = [](std::int32_t i) { return static_cast<std::uint32_t>(i) < static_cast<std::uint32_t>(blocks_per_tile_row); };
-    count += (coverage != 0) & in_tile(block_column) & in_tile(block_row) ? 1 : 0;
+    const auto in_tile = [](std::int32_t i) -> unsigned { return static_cast<std::uint32_t>(i) < static_cast<std::uint32_t>(blocks_per_tile_row); };
+    const unsigned covers = coverage != 0;
+    count += covers & in_tile(block_column) & in_tile(block_row);  // no branches
   };
   find(left_half << 8 * up, column, row);
   find(right_half << 8 * up, column + 1, row);
