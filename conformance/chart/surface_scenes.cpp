@@ -162,37 +162,7 @@ Drawing highlight(const GlTable& gl, double knob) {
   const int cuts = knob > 0 ? 24 : 1;
   return {[cuts, ball = conformance::sphere(1.2f, 6, 9)](const GlTable& table) {
     conformance::clear_background(table);
-    const auto vertex = [&](const Surface::Point& a, const Surface::Point& b, const Surface::Point& c, int i, int j) {
-      const double v = 1.0 * i / cuts, w = 1.0 * j / cuts, u = 1 - v - w;
-      std::array<float, 3> normal, position;
-      for (std::size_t k = 0; k < 3; ++k) {
-        normal[k] = static_cast<float>(u * a.normal[k] + v * b.normal[k] + w * c.normal[k]);
-        position[k] = static_cast<float>(u * a.position[k] + v * b.position[k] + w * c.position[k]);
-      }
-      table.Normal3fv(normal.data());
-      table.Vertex3fv(position.data());
-    };
-    const auto triangle = [&](const Surface::Point& a, const Surface::Point& b, const Surface::Point& c) {
-      for (int i = 0; i < cuts; ++i) {
-        for (int j = 0; i + j < cuts; ++j) {
-          vertex(a, b, c, i, j);
-          vertex(a, b, c, i + 1, j);
-          vertex(a, b, c, i, j + 1);
-          if (i + j + 1 >= cuts) continue;
-          vertex(a, b, c, i + 1, j);
-          vertex(a, b, c, i + 1, j + 1);
-          vertex(a, b, c, i, j + 1);
-        }
-      }
-    };
-    table.Begin(GL_TRIANGLES);
-    for (int row = 0; row + 1 < ball.rows; ++row) {
-      for (int column = 0; column + 1 < ball.columns; ++column) {
-        triangle(ball.at(row, column), ball.at(row, column + 1), ball.at(row + 1, column + 1));
-        triangle(ball.at(row, column), ball.at(row + 1, column + 1), ball.at(row + 1, column));
-      }
-    }
-    table.End();
+    conformance::draw_cut_surface(table, ball, cuts);
   }};
 }
 

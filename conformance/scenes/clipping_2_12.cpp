@@ -59,18 +59,7 @@ void near_plane_floor(const GlTable& gl) {
   const Surface ground = floor_grid(90, 30);
   Random random(122);
   gl.Translatef(0, -1.1f, 0);
-  gl.Begin(GL_TRIANGLES);
-  for (int row = 0; row < 30; ++row) {
-    for (int column = 0; column < 30; ++column) {
-      const float shade = (row + column) % 2 == 0 ? 0.8f : 0.2f;
-      const int corners[6][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}};
-      for (const auto& [r, c] : corners) {
-        gl.Color3f(shade, random.range(0.2f, 0.6f), 1 - shade);
-        gl.Vertex3fv(ground.at(row + r, column + c).position.data());
-      }
-    }
-  }
-  gl.End();
+  draw_checks(gl, ground, random);
 }
 
 // Two triangles whose vertices lie behind the eye, beside it and before it.

@@ -23,18 +23,7 @@ void landscape(const GlTable& gl) {
   load_model_view(gl, multiply(view, translation(0, -1.1f, 0)));
   const Surface ground = floor_grid(60, 20);
   Random random(310);
-  gl.Begin(GL_TRIANGLES);
-  for (int row = 0; row < 20; ++row) {
-    for (int column = 0; column < 20; ++column) {
-      const float shade = (row + column) % 2 == 0 ? 0.8f : 0.2f;
-      const int corners[6][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}};
-      for (const auto& [r, c] : corners) {
-        gl.Color3f(shade, random.range(0.2f, 0.6f), 1 - shade);
-        gl.Vertex3fv(ground.at(row + r, column + c).position.data());
-      }
-    }
-  }
-  gl.End();
+  draw_checks(gl, ground, random);
   for (int i = 0; i < 12; ++i) {
     color_of(gl, random);
     const float x = random.range(-8, 8);

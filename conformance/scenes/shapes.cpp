@@ -171,6 +171,55 @@ void draw_surface(const GlTable& gl, const Surface& surface) {
   draw_surface(gl, surface, [](const Surface::Point&) {});
 }
 
+void draw_cut_surface(const GlTable& gl, const Surface& surface, int cuts) {
+  const auto vertex = [&](const Surface::Point& a, const Surface::Point& b, const Surface::Point& c, int i, int j) {
+    const double v = 1.0 * i / cuts, w = 1.0 * j / cuts, u = 1 - v - w;
+    std::array<float, 3> normal, position;
+    for (std::size_t k = 0; k < 3; ++k) {
+      normal[k] = static_cast<float>(u * a.normal[k] + v * b.normal[k] + w * c.normal[k]);
+      position[k] = static_cast<float>(u * a.position[k] + v * b.position[k] + w * c.position[k]);
+    }
+    gl.Normal3fv(normal.data());
+    gl.Vertex3fv(position.data());
+  };
+  const auto triangle = [&](const Surface::Point& a, const Surface::Point& b, const Surface::Point& c) {
+    for (int i = 0; i < cuts; ++i) {
+      for (int j = 0; i + j < cuts; ++j) {
+        vertex(a, b, c, i, j);
+        vertex(a, b, c, i + 1, j);
+        vertex(a, b, c, i, j + 1);
+        if (i + j + 1 >= cuts) continue;
+        vertex(a, b, c, i + 1, j);
+        vertex(a, b, c, i + 1, j + 1);
+        vertex(a, b, c, i, j + 1);
+      }
+    }
+  };
+  gl.Begin(GL_TRIANGLES);
+  for (int row = 0; row + 1 < surface.rows; ++row) {
+    for (int column = 0; column + 1 < surface.columns; ++column) {
+      triangle(surface.at(row, column), surface.at(row, column + 1), surface.at(row + 1, column + 1));
+      triangle(surface.at(row, column), surface.at(row + 1, column + 1), surface.at(row + 1, column));
+    }
+  }
+  gl.End();
+}
+
+void draw_checks(const GlTable& gl, const Surface& ground, Random& random) {
+  gl.Begin(GL_TRIANGLES);
+  for (int row = 0; row + 1 < ground.rows; ++row) {
+    for (int column = 0; column + 1 < ground.columns; ++column) {
+      const float shade = (row + column) % 2 == 0 ? 0.8f : 0.2f;
+      const int corners[6][2] = {{0, 0}, {0, 1}, {1, 1}, {0, 0}, {1, 1}, {1, 0}};
+      for (const auto& [r, c] : corners) {
+        gl.Color3f(shade, random.range(0.2f, 0.6f), 1 - shade);
+        gl.Vertex3fv(ground.at(row + r, column + c).position.data());
+      }
+    }
+  }
+  gl.End();
+}
+
 void draw_box(const GlTable& gl, float width, float height, float depth) {
   const std::array<float, 3> half = {width / 2, height / 2, depth / 2};
   gl.Begin(GL_TRIANGLES);

@@ -90,6 +90,10 @@ void draw_surface(const GlTable& gl, const Surface& surface, BeforeVertex before
   }
 }
 void draw_surface(const GlTable& gl, const Surface& surface);
+/// As triangles, each cut into cuts * cuts, with positions and normals between its corners'.
+void draw_cut_surface(const GlTable& gl, const Surface& surface, int cuts);
+/// A floor's checks, each of two triangles; green is random.
+void draw_checks(const GlTable& gl, const Surface& ground, Random& random);
 
 /// A unit-less box about the origin, of six faces with their normals, as triangles.
 void draw_box(const GlTable& gl, float width, float height, float depth);

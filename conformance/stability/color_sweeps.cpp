@@ -11,7 +11,6 @@ namespace gouraud::stability {
 namespace {
 
 using conformance::clear_background;
-using conformance::Surface;
 
 constexpr int width = 160, height = 120;
 
@@ -30,41 +29,6 @@ Drawing perspective_slope(const GlTable& gl, double knob) {
   }};
 }
 
-/// The corners' normals of a ball under one lamp; at a negative knob each face is cut in 400 with the normals between.
-void highlight(const GlTable& gl, const Surface& ball, int cuts) {
-  const auto vertex = [&](const Surface::Point& a, const Surface::Point& b, const Surface::Point& c, int i, int j) {
-    const double v = 1.0 * i / cuts, w = 1.0 * j / cuts, u = 1 - v - w;
-    std::array<float, 3> normal, position;
-    for (std::size_t k = 0; k < 3; ++k) {
-      normal[k] = static_cast<float>(u * a.normal[k] + v * b.normal[k] + w * c.normal[k]);
-      position[k] = static_cast<float>(u * a.position[k] + v * b.position[k] + w * c.position[k]);
-    }
-    gl.Normal3fv(normal.data());
-    gl.Vertex3fv(position.data());
-  };
-  const auto triangle = [&](const Surface::Point& a, const Surface::Point& b, const Surface::Point& c) {
-    for (int i = 0; i < cuts; ++i) {
-      for (int j = 0; i + j < cuts; ++j) {
-        vertex(a, b, c, i, j);
-        vertex(a, b, c, i + 1, j);
-        vertex(a, b, c, i, j + 1);
-        if (i + j + 1 >= cuts) continue;
-        vertex(a, b, c, i + 1, j);
-        vertex(a, b, c, i + 1, j + 1);
-        vertex(a, b, c, i, j + 1);
-      }
-    }
-  };
-  gl.Begin(GL_TRIANGLES);
-  for (int row = 0; row + 1 < ball.rows; ++row) {
-    for (int column = 0; column + 1 < ball.columns; ++column) {
-      triangle(ball.at(row, column), ball.at(row, column + 1), ball.at(row + 1, column + 1));
-      triangle(ball.at(row, column), ball.at(row + 1, column + 1), ball.at(row + 1, column));
-    }
-  }
-  gl.End();
-}
-
 Drawing lit_ball(const GlTable& gl, int stacks, float shininess, int cuts) {
   conformance::black_lighting(gl, 1);
   gl.Enable(GL_NORMALIZE);
@@ -78,7 +42,7 @@ Drawing lit_ball(const GlTable& gl, int stacks, float shininess, int cuts) {
   gl.Materialf(GL_FRONT_AND_BACK, GL_SHININESS, shininess);
   return {[ball = conformance::sphere(1.2f, stacks, 3 * stacks / 2), cuts](const GlTable& table) {
     clear_background(table);
-    highlight(table, ball, cuts);
+    conformance::draw_cut_surface(table, ball, cuts);
   }};
 }
 

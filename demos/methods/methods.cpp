@@ -1,5 +1,5 @@
 // Every way to do a step: a key a step changes its method; the title shows milliseconds and the error that it makes.
-// Keys 1 to 9: the steps in the order of the list, 0: all defaults. --methods "coverage=scanline,colors=affine" begins so.
+// Keys 1 to 9, then a, b, ...: the steps in the order of the list, 0: all defaults. --methods "coverage=scanline,colors=affine" begins so.
 // The error is against the same frame drawn with the defaults, which keep to the oracle within rounding.
 #include <GL/gl.h>
 #include <GL/gouraud.h>
@@ -179,6 +179,9 @@ void describe_error(const std::vector<unsigned char>& picture, const std::vector
   status_text = text;
 }
 
+// Of the step with this number in the list.
+char key_of(size_t step) { return static_cast<char>(step < 9 ? '1' + step : 'a' + (step - 9)); }
+
 // The steps with their keys and methods, by the defaults.
 void draw_list() {
   gouraudMethods("");
@@ -190,7 +193,7 @@ void draw_list() {
     const bool is_default = steps[i].chosen == 0;
     glColor3f(1, is_default ? 1.0f : 0.8f, is_default ? 1.0f : 0.2f);
     glRasterPos2i(10, y);
-    shell::draw_text(font, (std::to_string(i + 1) + " " + steps[i].name + ": " + steps[i].methods[steps[i].chosen]).c_str());
+    shell::draw_text(font, (key_of(i) + (" " + steps[i].name) + ": " + steps[i].methods[steps[i].chosen]).c_str());
   }
 }
 
@@ -223,12 +226,9 @@ void reshape(int width, int height) {
 }
 
 void key(int key) {
-  if (key == '0') {
-    for (Step& step : steps) step.chosen = 0;
-  }
-  const size_t number = static_cast<size_t>(key - '1');
-  if (key >= '1' && key <= '9' && number < steps.size()) {
-    steps[number].chosen = (steps[number].chosen + 1) % steps[number].methods.size();
+  for (size_t i = 0; i < steps.size(); ++i) {
+    if (key == '0') steps[i].chosen = 0;
+    if (key == key_of(i)) steps[i].chosen = (steps[i].chosen + 1) % steps[i].methods.size();
   }
 }
 
@@ -255,7 +255,7 @@ int main(int argc, char** argv) {
   arguments.push_back(nullptr);
   return shell::run(static_cast<int>(arguments.size()) - 1, arguments.data(),
                     {.name = "methods",
-                     .keys_help = "1 to 9 change the methods of the steps in the list, 0 resets them; --methods \"step=name,...\" begins so",
+                     .keys_help = "1 to 9 and the letters from a on change the methods of the steps in the list, 0 resets them; --methods \"step=name,...\" begins so",
                      .width_px = 640,
                      .height_px = 480,
                      .init = init,

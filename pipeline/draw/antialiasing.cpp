@@ -5,11 +5,14 @@
 #include <cstring>
 #include <vector>
 
+#include "pipeline/draw/limits.h"
+
 namespace gouraud::pipeline {
 namespace {
 
-constexpr std::array<std::array<float, 2>, 4> rotated_grid{
-    {{0.375f, 0.875f}, {0.875f, 0.625f}, {0.125f, 0.375f}, {0.625f, 0.125f}}};
+/// Each in a row and a column of its own, where Mesa has them in framebuffer objects.
+constexpr std::array<std::array<float, 2>, max_samples> rotated_grid{
+    {{0.375f, 0.125f}, {0.875f, 0.375f}, {0.125f, 0.625f}, {0.625f, 0.875f}}};
 
 /// Samples along one side of a pixel.
 int grid_of(AntialiasingMethod method) {

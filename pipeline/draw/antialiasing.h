@@ -18,7 +18,8 @@ namespace gouraud::pipeline {
 
 /// How many samples the method has for each pixel: 1 if it is not one of these.
 int samples_of(AntialiasingMethod method);
-/// Where one of them lies, in pixels from the pixel's lower left corner.
+/// Where one of them lies, in pixels from the pixel's lower left corner. Those of targets with four samples [GL1.5 §3.2.1]
+/// lie as multisample4's.
 std::array<float, 2> sample_position(AntialiasingMethod method, std::size_t sample);
 
 /// A target of the same size and formats with that many samples a pixel, and no accumulation buffer; throws std::bad_alloc.

@@ -156,21 +156,6 @@ void Renderer::Implementation::project(const DrawState& state) {
   if (methods.colors == InterpolationMethod::affine) forget_distances(0, vertices);
 }
 
-/// Of the primitives that begin with this vertex, where fragments are lit.
-void Renderer::Implementation::select_material(const VertexBatch& batch, const PrimitiveRange& range) {
-  const std::int32_t first = range.indexed ? batch.elements[static_cast<std::size_t>(range.first)] : range.first;
-  const MaterialRun* run = nullptr;
-  for (const MaterialRun& next : batch.material_runs) {
-    if (next.first <= first) run = &next;
-  }
-  if (run == nullptr || setup->binding->method->lighting.material == run->material) return;
-  RasterBinding binding = *setup->binding;
-  auto* const method = new (bins.allocate(sizeof(MethodState))) MethodState(*binding.method);
-  method->lighting.material = run->material;
-  binding.method = method;
-  setup = bins.intern(*setup, binding);
-}
-
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   smooth_parts.clear();
@@ -179,7 +164,7 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
     const PrimitiveRange& range = batch.primitives[i];
     if (phong && !batch.material_runs.empty()) select_material(batch, range);
-    if (range.mode == PrimitiveMode::quads && (i == 0 || batch.primitives[i - 1].mode != PrimitiveMode::quads)) {
+    if (!lasting_diagonal && range.mode == PrimitiveMode::quads && (i == 0 || batch.primitives[i - 1].mode != PrimitiveMode::quads)) {
       clipped_quads = (clipped_quads && !range.begins) || are_quads_clipped(batch, vertices, i);
     }
     const bool other_diagonal = lasting_diagonal || clipped_quads || range.indexed || range.from_list;
@@ -202,11 +187,6 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
   }
 }
 
-/// Where the samples of a pixel lie, in pixels from its lower left corner: each in a row and a column of its own,
-/// where Mesa has them in framebuffer objects.
-constexpr std::array<std::array<float, 2>, max_samples> sample_positions{
-    {{0.375f, 0.125f}, {0.875f, 0.375f}, {0.125f, 0.625f}, {0.625f, 0.875f}}};
-
 /// Every sample is a picture of its own [GL1.5 §3.2.1]: what is drawn is moved so that the sample stands where a pixel
 /// has its centre, and drawn as ever. So coverage, depth and colours are those of the sample's own place, and no stage
 /// after this one knows of samples.
@@ -215,14 +195,10 @@ void Renderer::Implementation::draw_samples(const DrawState& state, const Vertex
   for (std::size_t sample = 0; sample < static_cast<std::size_t>(bins.target()->samples); ++sample) {
     if (!hidden && (state.multisample.sample_mask >> sample & 1) == 0) continue;
     bins.select_sample(static_cast<std::int32_t>(sample));
-    if (hidden) {
-      const auto [x, y] = sample_position(antialiasing, sample);
+    if (hidden || state.multisample.enabled) {
+      const auto [x, y] = sample_position(hidden ? antialiasing : AntialiasingMethod::multisample4, sample);
       viewport.sample_shift_x = 0.5f - x;
       viewport.sample_shift_y = 0.5f - y;
-    }
-    if (state.multisample.enabled) {
-      viewport.sample_shift_x = 0.5f - sample_positions[sample][0];
-      viewport.sample_shift_y = 0.5f - sample_positions[sample][1];
     }
     vertices.count = batch_count;
     project(state);

@@ -5,8 +5,6 @@
 #include <cstring>
 #include <new>
 
-#include "pipeline/draw/phong_shading.h"
-#include "pipeline/geometry/affine.h"
 #include "pipeline/geometry/clipping_methods.h"
 #include "pipeline/raster/homogeneous.h"
 #include "pipeline/raster/method_triangle.h"
@@ -73,6 +71,21 @@ void Renderer::Implementation::add_shape(const PrimitiveRecord& record) {
   if (!gathers) return bins.add_smooth(record);
   const CompareFunc func = record.binding->state.depth.func;
   gathered.add(record, bins.selected_sample(), func == CompareFunc::less || func == CompareFunc::lequal);
+}
+
+/// Of the primitives that begin with this vertex, where fragments are lit.
+void Renderer::Implementation::select_material(const VertexBatch& batch, const PrimitiveRange& range) {
+  const std::int32_t first = range.indexed ? batch.elements[static_cast<std::size_t>(range.first)] : range.first;
+  const MaterialRun* run = nullptr;
+  for (const MaterialRun& next : batch.material_runs) {
+    if (next.first <= first) run = &next;
+  }
+  if (run == nullptr || setup->binding->method->lighting.material == run->material) return;
+  RasterBinding binding = *setup->binding;
+  auto* const method = new (bins.allocate(sizeof(MethodState))) MethodState(*binding.method);
+  method->lighting.material = run->material;
+  binding.method = method;
+  setup = bins.intern(*setup, binding);
 }
 
 /// What was gathered goes to the bins, before anything else does.

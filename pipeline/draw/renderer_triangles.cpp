@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <new>
 
-#include "pipeline/draw/phong_shading.h"
 #include "pipeline/geometry/affine.h"
-#include "pipeline/raster/method_triangle.h"
 
 namespace gouraud::pipeline {
 

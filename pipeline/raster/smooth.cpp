@@ -81,9 +81,10 @@ struct SharedBlock {
 
 std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage) {
   if (shape.sampled) return sample_block(shape, x, y, coverage);
-  if (place_of_block(shape, x, y) == BlockPlace::inside) {
-    coverage.fill(1.0f);
-    return ~std::uint64_t{0};
+  const BlockPlace place = place_of_block(shape, x, y);
+  if (place != BlockPlace::crossed) {
+    coverage.fill(place == BlockPlace::inside ? 1.0f : 0.0f);
+    return place == BlockPlace::inside ? ~std::uint64_t{0} : 0;
   }
   Areas area;
   areas_of(shape, x, y, area);
