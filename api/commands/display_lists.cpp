@@ -40,6 +40,7 @@ const std::byte* execute_draw(Context& context, const std::byte* payload, const 
     context.record_error(GL_INVALID_OPERATION, "glCallList", "a draw from vertex arrays between glBegin and glEnd");
     return end;
   }
+  if (!context.can_draw("a draw from vertex arrays")) return end;
   const CurrentGroup before = context.state.current;
   while (next != end) next = execute_entry(context, *reinterpret_cast<const ListEntry*>(next), next + sizeof(ListEntry));
   context.state.current = before;

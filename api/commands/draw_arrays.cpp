@@ -20,6 +20,7 @@ namespace {
 
 /// The arrays that a draw reads.
 struct Sources {
+  const char* command = nullptr;  ///< that draws from them, for errors
   std::uint32_t present = 0;  ///< bit n: array n
   std::array<ElementSource, array_count> arrays;
   bool has(int name) const { return (present >> name & 1u) != 0; }
@@ -28,6 +29,7 @@ struct Sources {
 
 // False, and an error is recorded, if one of the arrays is mapped.
 bool collect(Context& context, const char* command, Sources& sources) {
+  sources.command = command;
   for (int name = 0; name < array_count; ++name) {
     const VertexArray& array = context.state.vertex_arrays.at(name);
     if (!array.enabled || !is_readable(array)) continue;
@@ -227,7 +229,7 @@ void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t 
     });
   }
   if (!sources.has(array_vertex) || count == 0) return;
-  if (!context.can_draw("glDrawArrays")) return;
+  if (!context.can_draw(sources.command)) return;
   const CurrentGroup before = context.state.current;
   constexpr bool indexed = kind == Elements::shared;
   indexed ? context.begin_indexed_primitive(primitive_mode(mode)) : context.begin_primitive(primitive_mode(mode));

@@ -55,6 +55,7 @@ std::optional<StoredFormat> find_color_format(GLenum internal_format) {
     case 3:
     case GL_RGB:
     case GL_R3_G3_B2:
+    case GL_RGB2_EXT:
     case GL_RGB4:
     case GL_RGB5:
     case GL_RGB8: return plain(rgba8, rgb);

@@ -28,6 +28,10 @@ void read_stride(const Context& c, StateValue& v) {
   set(v, array_of(c, name).stride);
 }
 template <int name>
+void read_count(const Context& c, StateValue& v) {
+  set(v, array_of(c, name).count);
+}
+template <int name>
 void read_buffer(const Context& c, StateValue& v) {
   set(v, name_of(array_of(c, name).buffer));
 }
@@ -37,15 +41,18 @@ constexpr StateRow rows[] = {
     {GL_VERTEX_ARRAY_SIZE, integer, 1, read_size<array_vertex>},
     {GL_VERTEX_ARRAY_TYPE, integer, 1, read_type<array_vertex>},
     {GL_VERTEX_ARRAY_STRIDE, integer, 1, read_stride<array_vertex>},
+    {GL_VERTEX_ARRAY_COUNT_EXT, integer, 1, read_count<array_vertex>},
     {GL_VERTEX_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_vertex>},
     {GL_NORMAL_ARRAY, boolean, 1, read_enabled<array_normal>},
     {GL_NORMAL_ARRAY_TYPE, integer, 1, read_type<array_normal>},
     {GL_NORMAL_ARRAY_STRIDE, integer, 1, read_stride<array_normal>},
+    {GL_NORMAL_ARRAY_COUNT_EXT, integer, 1, read_count<array_normal>},
     {GL_NORMAL_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_normal>},
     {GL_COLOR_ARRAY, boolean, 1, read_enabled<array_color>},
     {GL_COLOR_ARRAY_SIZE, integer, 1, read_size<array_color>},
     {GL_COLOR_ARRAY_TYPE, integer, 1, read_type<array_color>},
     {GL_COLOR_ARRAY_STRIDE, integer, 1, read_stride<array_color>},
+    {GL_COLOR_ARRAY_COUNT_EXT, integer, 1, read_count<array_color>},
     {GL_COLOR_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_color>},
     {GL_SECONDARY_COLOR_ARRAY, boolean, 1, read_enabled<array_secondary_color>},
     {GL_SECONDARY_COLOR_ARRAY_SIZE, integer, 1, read_size<array_secondary_color>},
@@ -55,6 +62,7 @@ constexpr StateRow rows[] = {
     {GL_INDEX_ARRAY, boolean, 1, read_enabled<array_index>},
     {GL_INDEX_ARRAY_TYPE, integer, 1, read_type<array_index>},
     {GL_INDEX_ARRAY_STRIDE, integer, 1, read_stride<array_index>},
+    {GL_INDEX_ARRAY_COUNT_EXT, integer, 1, read_count<array_index>},
     {GL_INDEX_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_index>},
     {GL_FOG_COORD_ARRAY, boolean, 1, read_enabled<array_fog_coordinate>},
     {GL_FOG_COORD_ARRAY_TYPE, integer, 1, read_type<array_fog_coordinate>},
@@ -62,11 +70,13 @@ constexpr StateRow rows[] = {
     {GL_FOG_COORD_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_fog_coordinate>},
     {GL_EDGE_FLAG_ARRAY, boolean, 1, read_enabled<array_edge_flag>},
     {GL_EDGE_FLAG_ARRAY_STRIDE, integer, 1, read_stride<array_edge_flag>},
+    {GL_EDGE_FLAG_ARRAY_COUNT_EXT, integer, 1, read_count<array_edge_flag>},
     {GL_EDGE_FLAG_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_edge_flag>},
     {GL_TEXTURE_COORD_ARRAY, boolean, 1, read_enabled<array_texture_coordinates>},
     {GL_TEXTURE_COORD_ARRAY_SIZE, integer, 1, read_size<array_texture_coordinates>},
     {GL_TEXTURE_COORD_ARRAY_TYPE, integer, 1, read_type<array_texture_coordinates>},
     {GL_TEXTURE_COORD_ARRAY_STRIDE, integer, 1, read_stride<array_texture_coordinates>},
+    {GL_TEXTURE_COORD_ARRAY_COUNT_EXT, integer, 1, read_count<array_texture_coordinates>},
     {GL_TEXTURE_COORD_ARRAY_BUFFER_BINDING, integer, 1, read_buffer<array_texture_coordinates>},
     {GL_CLIENT_ACTIVE_TEXTURE, integer, 1,
      [](const Context& c, StateValue& v) { set(v, GL_TEXTURE0 + c.state.vertex_arrays.client_active_unit); }},

@@ -46,11 +46,12 @@ void set_pointer(Context& context, int name, const Rules& rules, VertexArray giv
   group.at(name) = std::move(given);
 }
 
-VertexArray described(GLint size, GLenum type, GLsizei stride, const void* pointer) {
+VertexArray described(GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count = 0) {
   VertexArray array;
   array.size = size;
   array.type = type;
   array.stride = stride;
+  array.count = count;
   array.pointer = pointer;
   return array;
 }
@@ -98,18 +99,18 @@ VertexArray* find_array(VertexArrayGroup& group, GLenum array) {
   }
 }
 
-void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count) {
   set_pointer(context, array_vertex, {"glVertexPointer", 2, 4, type_coordinates},
-              described(size, type, stride, pointer));
+              described(size, type, stride, pointer, count));
 }
 
-void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
+void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer, GLsizei count) {
   set_pointer(context, array_normal, {"glNormalPointer", 3, 3, type_byte | type_coordinates},
-              described(3, type, stride, pointer));
+              described(3, type, stride, pointer, count));
 }
 
-void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
-  set_pointer(context, array_color, {"glColorPointer", 3, 4, type_any}, described(size, type, stride, pointer));
+void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count) {
+  set_pointer(context, array_color, {"glColorPointer", 3, 4, type_any}, described(size, type, stride, pointer, count));
 }
 
 void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -117,9 +118,9 @@ void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei st
               described(size, type, stride, pointer));
 }
 
-void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
+void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer, GLsizei count) {
   set_pointer(context, array_index, {"glIndexPointer", 1, 1, type_ubyte | type_coordinates},
-              described(1, type, stride, pointer));
+              described(1, type, stride, pointer, count));
 }
 
 void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* pointer) {
@@ -127,14 +128,14 @@ void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* 
               described(1, type, stride, pointer));
 }
 
-void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer) {
+void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count) {
   set_pointer(context, array_texture_coordinates + context.state.vertex_arrays.client_active_unit,
-              {"glTexCoordPointer", 1, 4, type_coordinates}, described(size, type, stride, pointer));
+              {"glTexCoordPointer", 1, 4, type_coordinates}, described(size, type, stride, pointer, count));
 }
 
-void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer) {
+void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer, GLsizei count) {
   set_pointer(context, array_edge_flag, {"glEdgeFlagPointer", 1, 1, type_ubyte},
-              described(1, GL_UNSIGNED_BYTE, stride, pointer));
+              described(1, GL_UNSIGNED_BYTE, stride, pointer, count));
 }
 
 void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const void* pointer) {

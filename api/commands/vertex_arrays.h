@@ -8,16 +8,17 @@
 namespace gouraud::api {
 
 /// All pointers: GL_INVALID_VALUE for a size that Table 2.4 does not list and for a negative stride, GL_INVALID_ENUM
-/// for a type that it does not list. Each remembers the buffer bound to ARRAY_BUFFER.
-void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
-void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
-void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
+/// for a type that it does not list. Each remembers the buffer bound to ARRAY_BUFFER, and the count, which only
+/// EXT_vertex_array's commands give (counted_arrays.h).
+void VertexPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count = 0);
+void NormalPointer(Context& context, GLenum type, GLsizei stride, const void* pointer, GLsizei count = 0);
+void ColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count = 0);
 void SecondaryColorPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
-void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
+void IndexPointer(Context& context, GLenum type, GLsizei stride, const void* pointer, GLsizei count = 0);
 void FogCoordPointer(Context& context, GLenum type, GLsizei stride, const void* pointer);
 /// Of the unit chosen by ClientActiveTexture.
-void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer);
-void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer);
+void TexCoordPointer(Context& context, GLint size, GLenum type, GLsizei stride, const void* pointer, GLsizei count = 0);
+void EdgeFlagPointer(Context& context, GLsizei stride, const void* pointer, GLsizei count = 0);
 /// GL_INVALID_ENUM for a format that Table 2.5 does not list, GL_INVALID_VALUE for a negative stride.
 void InterleavedArrays(Context& context, GLenum format, GLsizei stride, const void* pointer);
 

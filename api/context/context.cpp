@@ -109,7 +109,7 @@ Context::Context(const ContextConfig& config, Context* share_with)
       renderbuffer_names_(share_with != nullptr ? share_with->renderbuffer_names_
                                                 : std::make_shared<RenderbufferNames>()),
       renderer_(pipeline::default_thread_count()) {
-  intercepting_ = tracing_calls_;
+  compiling_changed();
   renderer_.set_antialiasing(methods_.antialiasing);
   for (std::size_t i = 0; i < texture_target_count; ++i) {
     default_textures_[i] = std::make_shared<TextureObject>(static_cast<TextureTarget>(i));
@@ -126,8 +126,11 @@ Context::~Context() {
 
 void Context::record_error(GLenum error, const char* command, const char* message) {
   if (error_ == GL_NO_ERROR) error_ = error;
-  if (!tracing_errors_ && !aborting_on_error_) return;
-  std::fprintf(stderr, "gouraud: %s: %s: %s\n", command, error_name(error), message);
+  if (!tells_errors()) return;
+  const std::string_view failing = command, programs = programs_command_ != nullptr ? programs_command_ : command;
+  const bool inside = !programs.starts_with(failing);
+  std::fprintf(stderr, "gouraud: %s: %s: %s%s%s\n", programs.data(), error_name(error), inside ? command : "",
+               inside ? ": " : "", message);
   if (aborting_on_error_) std::abort();
 }
 

@@ -74,10 +74,15 @@ class Context {
   /// True while a display list is open: recordable commands go to the entry points' append_record.
   bool compiling() const { return list_compiler.open(); }
   /// NewList and EndList have opened or closed list_compiler.
-  void compiling_changed() { intercepting_ = tracing_calls_ || compiling(); }
+  void compiling_changed() { intercepting_ = tracing_calls_ || tells_errors() || compiling(); }
 
-  /// Keeps `error` unless an earlier one waits for glGetError [GL1.5 §2.5]. `command` is the command's full name.
-  /// GOURAUD_TRACE=errors prints both texts on stderr; GOURAUD_ABORT_ON_ERROR=1 prints and aborts.
+  /// The command that the program has called, while it is carried out; known if calls are looked at first, else null.
+  const char* programs_command() const { return programs_command_; }
+  void set_programs_command(const char* command) { programs_command_ = command; }
+
+  /// Keeps `error` unless an earlier one waits for glGetError [GL1.5 §2.5]. `command` is the full name of the command
+  /// that fails, or of its family. GOURAUD_TRACE=errors prints the texts on stderr, and before them the command that the
+  /// program called, if that is another (a list, of which this one is part); GOURAUD_ABORT_ON_ERROR=1 prints and aborts.
   void record_error(GLenum error, const char* command, const char* message);
   /// The error kept, GL_NO_ERROR if none; none is kept afterwards.
   GLenum take_error();
@@ -190,11 +195,14 @@ class Context {
   void take_draw_state(std::uint32_t changed, const pipeline::TargetFormat& format, bool other_format);
   void trace_plan() const;
 
+  bool tells_errors() const { return tracing_errors_ || aborting_on_error_; }
+
   bool intercepting_ = false;
   bool tracing_calls_ = false, tracing_errors_ = false, tracing_plans_ = false, aborting_on_error_ = false;
   bool had_window_ = false;
   std::uint32_t dirty_ = dirty_all;
   GLenum error_ = GL_NO_ERROR;
+  const char* programs_command_ = nullptr;
   pipeline::Methods methods_;
   ContextConfig config_;
   std::shared_ptr<BufferNames> buffer_names_;

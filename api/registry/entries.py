@@ -70,7 +70,8 @@ def watched_h(registry):
     rows = "".join(f"{command.returns} {command.name}({command.parameters()});\n"
                    for command in registry.commands.values())
     return f"""{NOTE}\
-// The way of a call without a current context, or whose context traces calls or compiles a display list.
+// The way of a call without a current context, or whose context traces calls, names them in messages, or compiles a
+// display list.
 #pragma once
 
 #include <GL/gl.h>
@@ -118,6 +119,7 @@ def watched_cpp(commands, handlers):
     for command in commands:
         nothing = "return;" if command.returns == "void" else "return {};"
         lines = ["Context* const context = current_context();", f"if (context == nullptr) {nothing}"]
+        lines.append(f'const ProgramsCall programs_call(*context, "gl{command.name}");')
         lines += _trace_lines(command)
         if compiles and families.recordable(command.name):
             lines += ["if (context->compiling()) {", *[f"  {line}" for line in records.append_lines(command)], "}"]
@@ -130,7 +132,7 @@ def watched_cpp(commands, handlers):
 
 def _trace_lines(command):
     lines = [f'CallTrace call("gl{command.name}");'] + [_trace_argument(command, param) for param in command.params]
-    return ["if (context->tracing_calls()) {", *[f"  {line}" for line in lines], "}"]
+    return ["if (programs_call.traced()) {", *[f"  {line}" for line in lines], "}"]
 
 
 def _trace_argument(command, param):

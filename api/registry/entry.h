@@ -18,6 +18,27 @@ inline Context* direct_context() {
   return context != nullptr && !context->intercepting() ? context : nullptr;
 }
 
+/// While it lives, messages name `command`, unless another call is under way: commands that are made of others (a draw
+/// from arrays that goes into a display list) call these.
+class ProgramsCall {
+ public:
+  ProgramsCall(Context& context, const char* command)
+      : context_(context), outermost_(context.programs_command() == nullptr) {
+    if (outermost_) context_.set_programs_command(command);
+  }
+  ~ProgramsCall() {
+    if (outermost_) context_.set_programs_command(nullptr);
+  }
+  ProgramsCall(const ProgramsCall&) = delete;
+  ProgramsCall& operator=(const ProgramsCall&) = delete;
+  /// True if the call is to be printed.
+  bool traced() const { return outermost_ && context_.tracing_calls(); }
+
+ private:
+  Context& context_;
+  bool outermost_;
+};
+
 /// GL_INVALID_OPERATION: `command` was called between glBegin and glEnd [GL1.5 §2.6.3].
 void reject_inside_begin_end(Context& context, const char* command);
 

@@ -223,6 +223,8 @@ struct CommandRow {
   /// A letter a parameter: e enum, m bits, b boolean, u, i and s (size) integers, n offset or size of a buffer, f float,
   /// d double, p pointer.
   const char* parameters;
+  /// A word a parameter: its name; gl.xml's group of the enums that it takes, "none" where there is no such.
+  const char *names, *groups;
   bool core;                    // of GL 1.0-1.5
   bool legal_inside_begin_end;  // [GL1.5 §2.6.3]
   void (*call)(const GlTable& gl, const CommandArgument* arguments);
@@ -230,6 +232,15 @@ struct CommandRow {
 
 /// All of them, aliases as well.
 std::span<const CommandRow> command_rows();
+
+struct EnumRow {
+  const char* name;    // with the prefix GL_
+  const char* groups;  // a word each
+  std::uint32_t value;
+};
+
+/// Every enum of the header; several may have one value.
+std::span<const EnumRow> enum_rows();
 
 }  // namespace gouraud
 """
@@ -240,6 +251,8 @@ def gl_commands_cpp(registry):
     primary = {alias: command.name for command in registry.commands.values() for alias in command.aliases}
     rows = "".join(_command_row(name, command, name in core, primary.get(name, name))
                    for name, command in registry.signatures.items())
+    enums = "".join(f'    {{"{enum.name}", "{" ".join(sorted(enum.groups))}", 0x{enum.value:04X}}},\n'
+                    for enum in registry.enums.values())
     return f"""\
 // Written by api/registry/generate.py from gl.xml.
 #include "gl_commands.h"
@@ -252,10 +265,17 @@ using Arguments = const CommandArgument*;
 const CommandRow rows[] = {{
 {rows}}};
 
+const EnumRow enums[] = {{
+{enums}}};
+
 }}  // namespace
 
 std::span<const CommandRow> command_rows() {{
   return rows;
+}}
+
+std::span<const EnumRow> enum_rows() {{
+  return enums;
 }}
 
 }}  // namespace gouraud
@@ -266,7 +286,9 @@ def _command_row(name, command, core, primary):
     values = ", ".join(f"a[{i}].as<{param.type}>()" for i, param in enumerate(command.params))
     legal = families.legal_inside_begin_end(primary)
     argument = " a" if command.params else ""
-    return (f'    {{"{name}", "{kinds(command)}", {_boolean(core)}, {_boolean(legal)},\n'
+    names = " ".join(command.param_names)
+    groups = " ".join(param.group or "none" for param in command.params)
+    return (f'    {{"{name}", "{kinds(command)}", "{names}", "{groups}", {_boolean(core)}, {_boolean(legal)},\n'
             f"     [](const GlTable& gl, Arguments{argument}) {{ gl.{name}({values}); }}}},\n")
 
 

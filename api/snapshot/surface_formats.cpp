@@ -42,6 +42,7 @@ std::optional<Surface> surface_of_format(GLenum internal_format) {
       return color(ColorFormat::rgba8, rgba);
     case GL_RGB:
     case GL_R3_G3_B2:
+    case GL_RGB2_EXT:
     case GL_RGB4:
     case GL_RGB5:
     case GL_RGB8:

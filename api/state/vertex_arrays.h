@@ -29,6 +29,7 @@ struct VertexArray {
   GLint size = 4;                 ///< values in an element
   GLenum type = GL_FLOAT;         ///< of an edge flag: GL_UNSIGNED_BYTE
   GLsizei stride = 0;             ///< bytes, as given: 0 if elements follow each other
+  GLsizei count = 0;              ///< elements, as EXT_vertex_array was told; else 0
   const void* pointer = nullptr;  ///< an offset into `buffer` if there is one
   BufferBinding buffer;
   /// The buffer was deleted, so that `pointer` is an offset into nothing.

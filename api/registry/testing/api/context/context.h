@@ -14,12 +14,15 @@ class Context {
   bool intercepting() const { return tracing || open_list; }
   bool tracing_calls() const { return tracing; }
   bool compiling() const { return open_list; }
+  const char* programs_command() const { return programs; }
+  void set_programs_command(const char* command) { programs = command; }
   void record_error(GLenum code, const char* command, const char* message) {
     error = code;
     error_text = std::string(command) + ": " + message;
   }
 
   bool inside = false, tracing = false, open_list = false;
+  const char* programs = nullptr;
   GLenum error = GL_NO_ERROR;
   std::string error_text;
   std::string called;             // the handler that ran last
