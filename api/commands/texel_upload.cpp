@@ -53,10 +53,22 @@ std::optional<TexelBytes> texel_bytes(const ByteOrder& rgba, const Image& image)
   return std::nullopt;
 }
 
+/// Whether the client's rows lie one behind the other, and so do their texels: then a slice is one long row.
+bool is_one_row(const ClientImage& client, const Image& image, const TexelPosition& at) {
+  return image.tiles == nullptr && at.x == 0 && client.size.width == image.width && client.row_stride == client.row_bytes();
+}
+
 void upload_bytes(const ClientImage& client, const ByteOrder& order, const Image& image, const TexelPosition& at) {
   const auto width = static_cast<std::size_t>(client.size.width);
   if (const auto texel = texel_bytes(order, image)) {
     const pipeline::ByteArrangement how(texel->order, client.layout.pixel_bytes, texel->count);
+    if (is_one_row(client, image, at)) {
+      for (GLsizei z = 0; z < client.size.depth; ++z) {
+        pipeline::arrange_bytes(how, client.row(0, z), width * static_cast<std::size_t>(client.size.height),
+                                pipeline::texel_row(image, at.y, at.z + z));
+      }
+      return;
+    }
     return for_rows(client, image, at, [&](const PixelRun& run, std::byte* out) {
       pipeline::arrange_bytes(how, client.row(run.y, run.z), width, out);
     });

@@ -34,6 +34,17 @@ struct ClientData {
   const void* pixels = nullptr;
 };
 
+/// Whether the object's image is replaced by one of the same shape, so large that fresh pages would cost more than to finish
+/// the draws that still read the old texels: then the new ones take their place.
+bool takes_the_place(const TextureObject& object, std::size_t face, std::size_t level, const pipeline::Image& image, GLint internal_format) {
+  constexpr std::size_t worth_finishing = std::size_t{1} << 18;
+  const pipeline::Image& old = object.texture->faces[face][level];
+  const ImageDescription& description = object.descriptions[face][level];
+  return pipeline::texel_bytes(image) >= worth_finishing && pipeline::have_same_shape(old, image) && old.texels != nullptr &&
+         old.tiles == nullptr && !image.has_stencil && description.blocks == nullptr &&
+         description.internal_format == stored_name(static_cast<GLenum>(internal_format));
+}
+
 void tex_image(Context& context, const ImageRequest& request, GLint internal_format, const ClientData& data) {
   const auto refuse = [&](GLenum error, const char* message) { context.record_error(error, request.command, message); };
   const auto target = check_request(context, request);
@@ -52,12 +63,17 @@ void tex_image(Context& context, const ImageRequest& request, GLint internal_for
   ClientImage client;
   if (!locate_unpack(context, request.command, size, layout, data.pixels, client)) return;
   pipeline::Image image = make_image(request, *format);
+  TextureObject& object = bound_texture(context, target->target);
+  const auto level = static_cast<std::size_t>(request.level);
+  if (!client.null() && takes_the_place(object, target->face, level, image, internal_format)) {
+    upload(context, client, writable_image(context, object, target->face, level), {0, 0, 0});
+    return texels_changed(context, object, target->face, {.command = request.command, .level = request.level});
+  }
   if (!image.empty()) {
-    pipeline::allocate_texels(image);
+    pipeline::allocate_texels(image, client.null());
     if (!client.null()) upload(context, client, image, {0, 0, 0});
   }
-  put_image(context, bound_texture(context, target->target), target->face, static_cast<std::size_t>(request.level),
-            std::move(image), static_cast<GLenum>(internal_format));
+  put_image(context, object, target->face, level, std::move(image), static_cast<GLenum>(internal_format));
 }
 
 void tex_sub_image(Context& context, Region region, const ClientData& data) {

@@ -269,6 +269,44 @@ TEST(GenerateMipmap, FollowsEveryChangeOfTheBaseLevel) {
   expect_error(GL_NO_ERROR, __LINE__);
 }
 
+/// The same image again and again takes the place of its forerunner, but never under the feet of draws that wait.
+TEST(TexImage, DrawsThatWaitKeepTheTexelsTheyWereGiven) {
+  for (const bool mipmap : {false, true}) {
+    for (const GLsizei size : {16, 512}) {
+      Screen screen;
+      glMatrixMode(GL_PROJECTION);
+      glOrtho(0, side_px, 0, side_px, -1, 1);
+      glEnable(GL_TEXTURE_2D);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, mipmap ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+      glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, mipmap ? GL_TRUE : GL_FALSE);
+      constexpr int stripes = 8, stripe_px = side_px / stripes;
+      for (int i = 0; i < stripes; ++i) {
+        tex_image(size, size, GL_RGBA, GL_RGBA, Bytes(static_cast<std::size_t>(size * size * 4), static_cast<std::uint8_t>(20 * i + 7)));
+        glBegin(GL_QUADS);
+        for (const auto& [x, y] : {std::array{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
+          glTexCoord2i(x, y);
+          glVertex2i(x * side_px, (i + y) * stripe_px);
+        }
+        glEnd();
+      }
+      const std::vector<std::uint32_t> pixels = screen.pixels();
+      for (int i = 0; i < stripes; ++i) {
+        EXPECT_EQ(pixels[static_cast<std::size_t>(i * stripe_px * side_px)], 0x01010101u * static_cast<std::uint32_t>(20 * i + 7));
+      }
+      EXPECT_GL(static_cast<GLenum>(GL_NO_ERROR), static_cast<void>(0));
+    }
+  }
+}
+
+TEST(GenerateMipmap, AnImageOfTheSameShapeRemakesItsLevels) {
+  Screen screen;
+  glTexParameteri(GL_TEXTURE_2D, GL_GENERATE_MIPMAP, GL_TRUE);
+  for (const std::uint8_t value : {std::uint8_t{10}, std::uint8_t{200}, std::uint8_t{99}}) {
+    tex_image(512, 256, GL_RGBA, GL_RGBA, Bytes(512 * 256 * 4, value));
+    for (const GLint level : {0, 1, 5, 9}) EXPECT_EQ(texels(GL_TEXTURE_2D, GL_RGBA, std::size_t{512} * 256 * 4, level)[0], value) << level;
+  }
+}
+
 TEST(S3tc, ImagesAreCompressedAndKept) {
   Screen screen;
   Bytes bytes(8 * 8 * 4);

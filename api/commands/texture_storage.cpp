@@ -1,6 +1,9 @@
 #include "api/commands/texture_storage.h"
 
+#include <algorithm>
+#include <array>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "api/commands/compressed_blocks.h"
@@ -15,6 +18,37 @@ namespace {
 pipeline::Texture& own_texture(TextureObject& object) {
   if (object.texture.use_count() > 1) object.texture = std::make_shared<pipeline::Texture>(*object.texture);
   return *object.texture;
+}
+
+/// Whether texels may be written now: nobody else uses them, and this context's own draws are finished.
+bool may_write(const Context& context, const TextureObject& object, const pipeline::Image& image) {
+  return object.texture.use_count() <= 1 + context.texture_uses(*object.texture) && image.texels.use_count() <= 1;
+}
+
+using Levels = std::array<pipeline::Image, pipeline::max_texture_levels>;
+
+/// Whether the levels after `base` are all there in their shape and may be written: then they can be made where they lie.
+bool may_remake_levels(const Context& context, const TextureObject& object, const Levels& levels, std::size_t base) {
+  if (levels[base].empty()) return false;
+  for (std::size_t level = base; !pipeline::is_last_level(object.target, levels[level]); ++level) {
+    const pipeline::Image& next = levels[level + 1];
+    if (next.texels == nullptr || next.tiles != nullptr || !may_write(context, object, next)) return false;
+    if (!pipeline::have_same_shape(next, pipeline::next_level(object.target, levels[level]))) return false;
+  }
+  return true;
+}
+
+void remake_levels(TextureTarget target, const Levels& levels, std::size_t base) {
+  for (std::size_t level = base; !pipeline::is_last_level(target, levels[level]); ++level) {
+    pipeline::fill_half_size(target, levels[level], levels[level + 1]);
+  }
+}
+
+/// New levels after `base`.
+void make_levels(TextureTarget target, Levels& levels, std::size_t base) {
+  for (std::size_t level = base; !levels[level].empty() && !pipeline::is_last_level(target, levels[level]); ++level) {
+    levels[level + 1] = pipeline::half_size(target, levels[level]);
+  }
 }
 
 /// With GENERATE_MIPMAP the levels after the base level are made anew [GL1.5 §3.8.8].
@@ -51,11 +85,10 @@ pipeline::Image& writable_image(Context& context, TextureObject& object, std::si
     context.finish_rendering();
     return image;
   }
-  const bool shared = object.texture.use_count() > 1 + context.texture_uses(*object.texture);
-  if (!shared && image.texels.use_count() <= 1) return image;
+  if (may_write(context, object, image)) return image;
 
   pipeline::Image copy = image;
-  pipeline::allocate_texels(copy);
+  pipeline::allocate_texels(copy, false);
   copy.stencil = image.stencil;
   std::memcpy(copy.texels.get(), image.texels.get(), pipeline::texel_bytes(image));
   pipeline::Image& fresh = own_texture(object).faces[face][level];
@@ -92,24 +125,24 @@ void put_blocks(Context& context, TextureObject& object, std::size_t face, const
 
 // Levels that are made anew lose their blocks and get the internal format of their base level.
 void generate_mipmaps(Context& context, TextureObject& object, std::size_t first_face, std::size_t end_face) {
-  const GLint base = object.parameters.base_level;
-  if (base >= pipeline::max_texture_levels || object.target == TextureTarget::rectangle) return;
-  auto fresh = std::make_shared<pipeline::Texture>(*object.texture);
-  for (std::size_t face = first_face; face < end_face; ++face) {
-    auto& levels = fresh->faces[face];
-    auto level = static_cast<std::size_t>(base);
-    for (; !levels[level].empty() && !pipeline::is_last_level(object.target, levels[level]); ++level) {
-      levels[level + 1] = pipeline::half_size(object.target, levels[level]);
-    }
+  if (object.parameters.base_level >= pipeline::max_texture_levels || object.target == TextureTarget::rectangle) return;
+  const auto base = static_cast<std::size_t>(object.parameters.base_level);
+  if (object.texture.use_count() > 1) context.finish_rendering();
+  const std::span faces(object.texture->faces.begin() + static_cast<std::ptrdiff_t>(first_face), end_face - first_face);
+  if (std::ranges::all_of(faces, [&](const Levels& levels) { return may_remake_levels(context, object, levels, base); })) {
+    for (const Levels& levels : faces) remake_levels(object.target, levels, base);
+  } else {
+    auto fresh = std::make_shared<pipeline::Texture>(*object.texture);
+    for (std::size_t face = first_face; face < end_face; ++face) make_levels(object.target, fresh->faces[face], base);
+    object.texture = std::move(fresh);
+    context.change(dirty_textures);
   }
-  object.texture = std::move(fresh);
   for (std::size_t face = first_face; face < end_face; ++face) {
     auto& descriptions = object.descriptions[face];
-    for (auto level = static_cast<std::size_t>(base) + 1; level < descriptions.size(); ++level) {
-      descriptions[level] = {descriptions[static_cast<std::size_t>(base)].internal_format, nullptr};
+    for (std::size_t level = base + 1; level < descriptions.size(); ++level) {
+      descriptions[level] = {descriptions[base].internal_format, nullptr};
     }
   }
-  context.change(dirty_textures);
   context.update_targets();
 }
 

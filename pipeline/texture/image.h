@@ -59,6 +59,12 @@ struct Image {
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
 };
 
+/// Whether texels of one fit the other, and mean the same there.
+inline bool have_same_shape(const Image& a, const Image& b) {
+  return a.format == b.format && a.base_format == b.base_format && a.srgb == b.srgb && a.width == b.width && a.height == b.height &&
+         a.depth == b.depth && a.border == b.border && a.has_stencil == b.has_stencil;
+}
+
 struct Texture {
   TextureTarget target = TextureTarget::two_d;
   /// One face, or the six of a cube map (+x, -x, +y, -y, +z, -z), and its images by level: empty where there is none.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pipeline/texture/completeness.h"
+#include "pipeline/texture/halved_rows.h"
 #include "pipeline/texture/texel_access.h"
 
 namespace gouraud::pipeline {
@@ -72,17 +73,6 @@ Texel average(const Image& image, const Taps& x, const Taps& y, const Taps& z) {
   return out;
 }
 
-/// Two rows of 8-bit texels to one of half the width: the bytes of four texels at a time.
-void halve_rows_unorm8(const std::byte* lower, const std::byte* upper, int channels, int width, std::byte* out) {
-  const auto* a = reinterpret_cast<const std::uint8_t*>(lower);
-  const auto* b = reinterpret_cast<const std::uint8_t*>(upper);
-  auto* to = reinterpret_cast<std::uint8_t*>(out);
-  const auto step = static_cast<std::size_t>(channels);
-  for (int x = 0; x < width; ++x, a += 2 * step, b += 2 * step, to += step) {
-    for (std::size_t c = 0; c < step; ++c) to[c] = static_cast<std::uint8_t>((a[c] + a[c + step] + b[c] + b[c + step] + 2) >> 2);
-  }
-}
-
 int unorm8_channels(TexelFormat format) {
   switch (format) {
     case TexelFormat::r8: return 1;
@@ -109,8 +99,7 @@ std::shared_ptr<std::byte[]> allocate_texels(TexelFormat format, int width, int 
   return texels;
 }
 
-Image half_size(TextureTarget target, const Image& image) {
-  const auto border = [&](int dimension) { return dimension < dimensions(target) ? image.border : 0; };
+Image next_level(TextureTarget target, const Image& image) {
   const LevelSize size = next_level_size(target, image);
   Image out;
   out.format = image.format;
@@ -121,14 +110,18 @@ Image half_size(TextureTarget target, const Image& image) {
   out.width = size.width;
   out.height = size.height;
   out.depth = size.depth;
-  out.texels = allocate_texels(out.format, out.width, out.height, out.depth);
+  return out;
+}
+
+void fill_half_size(TextureTarget target, const Image& image, const Image& out) {
   if (is_simple(image)) {
     for (int y = 0; y < out.height; ++y) {
       halve_rows_unorm8(texel_address(image, 0, 2 * y, 0), texel_address(image, 0, 2 * y + 1, 0), unorm8_channels(image.format),
                         out.width, texel_address(out, 0, y, 0));
     }
-    return out;
+    return;
   }
+  const auto border = [&](int dimension) { return dimension < dimensions(target) ? image.border : 0; };
   const std::vector<Taps> along_x = taps_along(image.width, border(0)), along_y = taps_along(image.height, border(1));
   const std::vector<Taps> along_z = taps_along(image.depth, border(2));
   for (int z = 0; z < out.depth; ++z) {
@@ -140,6 +133,12 @@ Image half_size(TextureTarget target, const Image& image) {
       }
     }
   }
+}
+
+Image half_size(TextureTarget target, const Image& image) {
+  Image out = next_level(target, image);
+  out.texels = allocate_texels(out.format, out.width, out.height, out.depth);
+  fill_half_size(target, image, out);
   return out;
 }
 

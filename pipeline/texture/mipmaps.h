@@ -10,6 +10,10 @@ namespace gouraud::pipeline {
 /// texels are filtered along the border. Rows, never tiles. Throws std::bad_alloc.
 Image half_size(TextureTarget target, const Image& image);
 
+/// The same in two steps, for storage that is there already: its shape, without texels, and into them.
+Image next_level(TextureTarget target, const Image& image);
+void fill_half_size(TextureTarget target, const Image& image, const Image& out);
+
 /// Makes levels base_level + 1 to the 1x1x1 image of all faces from the base level (at most to `last_level`); nothing if
 /// there is no base level or faces differ. Throws std::bad_alloc, with the texture as it was. Framebuffer attachments
 /// (tiles) among the levels that are made are replaced.

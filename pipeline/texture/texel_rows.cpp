@@ -191,10 +191,12 @@ void make_stencil_plane(Image& image) {
   image.stencil = std::make_shared<TiledBuffer>(image.width, image.height, 1);
 }
 
-void allocate_texels(Image& image) {
+void allocate_texels(Image& image, bool zeroed) {
   constexpr std::size_t readable_behind = 16;
-  auto* const bytes = static_cast<std::byte*>(std::calloc(texel_bytes(image) + readable_behind, 1));
+  const std::size_t size = texel_bytes(image);
+  auto* const bytes = static_cast<std::byte*>(zeroed ? std::calloc(size + readable_behind, 1) : std::malloc(size + readable_behind));
   if (bytes == nullptr) throw std::bad_alloc();
+  std::memset(bytes + size, 0, readable_behind);
   image.tiles = nullptr;
   image.stencil = nullptr;
   make_stencil_plane(image);

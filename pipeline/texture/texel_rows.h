@@ -28,8 +28,8 @@ void load_depths(const Image& image, const std::byte* texels, std::size_t count,
 
 /// Bytes of all texels.
 std::size_t texel_bytes(const Image& image);
-/// Gives the image zeroed texels of its format and size, untiled. Throws std::bad_alloc.
-void allocate_texels(Image& image);
+/// Gives the image texels of its format and size, untiled, zeroed unless all will be written. Throws std::bad_alloc.
+void allocate_texels(Image& image, bool zeroed = true);
 /// Gives an image its plane of stencil values, zero at first, if it is to have one and lacks it. Throws std::bad_alloc.
 void make_stencil_plane(Image& image);
 /// The first byte of a row of an untiled image.
