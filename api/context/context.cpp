@@ -282,8 +282,8 @@ const pipeline::PixelDraw& Context::pixel_draw() {
 
 void Context::trace_plan() const {
   const pipeline::VertexBatch& batch = immediate.batch;
-  std::fprintf(stderr, "gouraud: draw of %d vertices in %zu primitives\n%s", batch.count, batch.primitives.size(),
-               pipeline::describe(plan_, draw_state_, target_info().format).c_str());
+  const std::string text = pipeline::describe(plan_, draw_state_, target_info().format, kinds_of(draw_state_, batch));
+  std::fprintf(stderr, "gouraud: draw of %d vertices in %zu primitives\n%s", batch.count, batch.primitives.size(), text.c_str());
 }
 
 }  // namespace api

@@ -27,7 +27,7 @@ class Draw {
  public:
   Draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
        OraclePicture& picture, Carried& carried)
-      : state_(state), stipple_count_(carried.stipple_count), clipped_quads_(carried.clipped_quads) {
+      : state_(state), smooth_parts_(carried.smooth_parts), stipple_count_(carried.stipple_count), clipped_quads_(carried.clipped_quads) {
     sink_.picture = &picture;
     sink_.state = state.raster;
     sink_.subpixel_bits = subpixel_bits<T>;
@@ -223,7 +223,7 @@ class Draw {
       if (!state_.polygons.smooth) {
         rasterize_triangle(sink_, triangle);
       } else if (doubled_area(triangle[0].snapped, triangle[1].snapped, triangle[2].snapped) != 0) {
-        smooth_parts_.push_back({sink_, triangle});
+        smooth_parts_.push_back({sink_, triangle, sink_.flat_colors != nullptr ? *sink_.flat_colors : VertexColors{}});
       }
     }
   }
@@ -245,8 +245,8 @@ class Draw {
   const pipeline::DrawState& state_;
   FragmentSink sink_;
   std::vector<ClipVertex<T>> vertices_;
-  std::vector<SmoothPart> smooth_parts_;  ///< of the smooth polygon that is being drawn
   std::vector<double> sizes_;  ///< of points at the vertices
+  std::vector<SmoothPart>& smooth_parts_;
   std::int64_t& stipple_count_;
   bool& clipped_quads_;
 };
@@ -276,7 +276,8 @@ void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& b
       apply_edge_flags(batch, range, state.assembly, primitive);
       draw.draw(primitive);
     }
-    draw.finish_polygon();
+    const bool goes_on = range.mode == pipeline::PrimitiveMode::polygon && !range.ends;
+    if (!goes_on) draw.finish_polygon();
   }
 }
 

@@ -99,10 +99,13 @@ struct PixelError {
 PixelError measure(const OraclePicture& picture, int x, int y, const std::array<std::uint8_t, 4>& rgba_unorm8,
                    std::uint32_t depth, bool compare_depth = true);
 
+struct SmoothPart;  // rasterize.h
+
 /// What goes on where a batch was cut.
 struct Carried {
   std::int64_t stipple_count = 0;
   bool clipped_quads = false;
+  std::vector<SmoothPart> smooth_parts;  ///< of the smooth polygon that is being drawn
 };
 
 /// Install with gouraud::set_draw_observer. Every draw and clear is carried out at once, on the calling thread.

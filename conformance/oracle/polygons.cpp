@@ -204,7 +204,8 @@ Outline outline_of(const SmoothPart& part) {
 
 /// Data are the means over what triangle and pixel share, that is (without perspective) those at its centroid.
 void make_smooth_fragment(const SmoothPart& part, int x, int y, double coverage) {
-  const FragmentSink& sink = part.sink;
+  FragmentSink sink = part.sink;
+  if (sink.flat_colors != nullptr) sink.flat_colors = &part.flat_colors;
   if (!is_kept(sink, x, y)) return;
   const Interpolation values(sink, part.vertices);
   const Place at = centroid_of(clipped_to_pixel(outline_of(part), x, y));

@@ -40,8 +40,9 @@ void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex,
 /// A triangle of a smooth polygon. A pixel gets one fragment: the share that all triangles cover, the values of the one
 /// that covers most [GL1.5 §3.5.3].
 struct SmoothPart {
-  FragmentSink sink;
+  FragmentSink sink;  ///< its flat_colors: whether those below apply
   std::array<WindowVertex, 3> vertices;
+  VertexColors flat_colors{};
 };
 void rasterize_smooth_polygon(const std::vector<SmoothPart>& parts);
 /// `stipple_count` fragments (or unit rectangles) of stippled lines came before [GL1.5 §3.4.2]; it is moved on.

@@ -161,6 +161,23 @@ void whole_polygons_as_alpha(const GlTable& gl) {
   whole_polygons(gl);
 }
 
+// Longer than a batch of vertices: nothing shows where it was cut.
+void long_polygons(const GlTable& gl, int corners) {
+  smooth(gl, GL_POLYGON_SMOOTH);
+  for (int ring = 0; ring < 2; ++ring) {
+    gl.Begin(GL_POLYGON);
+    gl.Color4f(0.88f, ring == 0 ? 0.6f : 0.9f, 0.2f, 0.7f);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / corners, radius = ring == 0 ? 119.3 : 61.7;
+      gl.Vertex2f(static_cast<float>(126.3 + radius * std::cos(angle)), static_cast<float>(129.1 + radius * std::sin(angle)));
+    }
+    gl.End();
+  }
+}
+void polygons_longer_than_a_batch(const GlTable& gl) {
+  long_polygons(gl, 2500);
+}
+
 // The classic way: front to back, each fragment fills what its pixel has left. The triangles of a fan meet without a seam.
 void saturated_fan(const GlTable& gl) {
   gl.ClearColor(0, 0, 0, 0);
@@ -207,6 +224,7 @@ SceneList smooth_scenes() {
       {.name = "smooth_polygons_as_alpha", .section = "§3.5.3", .shows = "The coverage of triangles, left in alpha.", .judge = judge, .draw = polygons_as_alpha},
       {.name = "smooth_polygons_whole", .section = "§3.5.3", .shows = "Quads and polygons with smooth edges, and no seams inside.", .judge = judge, .draw = blended_whole_polygons},
       {.name = "smooth_polygons_whole_as_alpha", .section = "§3.5.3", .shows = "The coverage of quads and polygons, some cut by a clip plane.", .judge = judge, .draw = whole_polygons_as_alpha},
+      {.name = "smooth_polygons_long", .section = "§3.5.3", .shows = "Polygons of 2500 corners, without a seam.", .judge = judge, .draw = polygons_longer_than_a_batch},
       {.name = "smooth_polygons_saturated", .section = "§3.5.3", .shows = "A star of triangles without a seam.", .judge = judge, .draw = saturated_fan},
       {.name = "smooth_alpha_tested", .section = "§3.11", .shows = "Lines whose faint pixels fail the alpha test.", .judge = judge, .draw = alpha_tested},
   };

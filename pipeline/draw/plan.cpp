@@ -106,19 +106,19 @@ std::string describe_length(float length_px) {
 }
 
 /// A line for each kind of primitive that is not rasterized the plain way.
-void describe_rasterization(const DrawState& state, const Line& line) {
-  if (state.points != PointState{}) {
+void describe_rasterization(const DrawState& state, DrawnKinds kinds, const Line& line) {
+  if (kinds.points && state.points != PointState{}) {
     std::string detail = (state.points.sprite ? "sprites of size " : "size ") + describe_length(state.points.size_px);
     if (state.points.attenuated) detail += ", attenuated";
     if (state.texturing.sprite_units != 0) detail += ", with coordinates of their own";
     line(state.points.smooth && !state.multisample.enabled ? "smooth points" : "points", detail, "§3.3");
   }
-  if (state.lines != LineState{}) {
+  if (kinds.lines && state.lines != LineState{}) {
     std::string detail = "width " + describe_length(state.lines.width_px);
     if (state.lines.stipple_pattern != 0xFFFF) detail += ", stippled";
     line(state.lines.smooth && !state.multisample.enabled ? "smooth lines" : "lines", detail, "§3.4.2");
   }
-  if (state.polygons.smooth) line("smooth polygons", "", "§3.5.3");
+  if (kinds.filled && state.polygons.smooth) line("smooth polygons", "", "§3.5.3");
   if (state.polygons.offset_fill || state.polygons.offset_line || state.polygons.offset_point) line("polygon offset", "", "§3.5.5");
 }
 
@@ -129,41 +129,43 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
 }
 
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
-void add_fragment_passes(const DrawState& state, TargetFormat target, Plan& plan) {
+FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, const Plan& plan) {
+  FragmentPasses passes;
   const bool has_varyings = plan.textured || plan.fog || plan.phong;
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured && !plan.phong;
   const auto shade = [&] {
-    if (plan.colors && !plan.phong) plan.fragment.add(color_interpolation_pass(target.methods.colors));
-    if (has_varyings) plan.fragment.add(varying_interpolation_pass(target.methods.colors));
-    if (plan.phong) plan.fragment.add(phong_shading_pass());
-    if (plan.textured) plan.fragment.add(packed ? texture_words_pass() : texture_pass());
-    if (plan.secondary_color == SecondaryColor::interpolated) plan.fragment.add(color_sum_pass(target.color));
-    if (plan.fog) plan.fragment.add(fog_pass(state.raster.fog.mode, target.color));
-    if (plan.coverage) plan.fragment.add(coverage_pass());
-    if (plan.sample_alpha) plan.fragment.add(sample_alpha_pass(target.color));
+    if (plan.colors && !plan.phong) passes.add(color_interpolation_pass(target.methods.colors));
+    if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors));
+    if (plan.phong) passes.add(phong_shading_pass());
+    if (plan.textured) passes.add(packed ? texture_words_pass() : texture_pass());
+    if (plan.secondary_color == SecondaryColor::interpolated) passes.add(color_sum_pass(target.color));
+    if (plan.fog) passes.add(fog_pass(state.raster.fog.mode, target.color));
+    if (plan.coverage) passes.add(coverage_pass());
+    if (plan.sample_alpha) passes.add(sample_alpha_pass(target.color));
   };
-  if (plan.polygon_stipple) plan.fragment.add(polygon_stipple_pass());
-  plan.fragment.early = plan.fragment.count;
+  if (plan.polygon_stipple) passes.add(polygon_stipple_pass());
+  passes.early = passes.count;
   const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
   if (shades_first) shade();
-  if (plan.alpha_test) plan.fragment.add(alpha_test_pass(target.color));
+  if (plan.alpha_test) passes.add(alpha_test_pass(target.color));
   const auto depth_pass = target.methods.warps_depth() ? depth_method_pass : depth_test_pass;
   const FragmentPass depth_test = plan.depth && !plan.gathers ? depth_pass(state.raster.depth.func, target.depth) : nullptr;
   if (plan.stencil) {
-    plan.fragment.add(stencil_pass(target.depth));
-    plan.fragment.depth_in_stencil = depth_test;
+    passes.add(stencil_pass(target.depth));
+    passes.depth_in_stencil = depth_test;
   } else if (depth_test != nullptr) {
-    plan.fragment.add(depth_test);
+    passes.add(depth_test);
   }
-  if (plan.counts_samples) plan.fragment.add(sample_count_pass());
-  if (!shades_first) plan.fragment.early = plan.fragment.count;
-  if (!plan.writes_color) return;
+  if (plan.counts_samples) passes.add(sample_count_pass());
+  if (!shades_first) passes.early = passes.count;
+  if (!plan.writes_color) return passes;
   const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings ||
                             target.methods.keeps_colors();  // between interpolation and write
   if (keeps_colors && !shades_first) shade();
-  plan.fragment.add(keeps_colors ? blend_pass(state.raster, target.color, packed)
+  passes.add(keeps_colors ? blend_pass(state.raster, target.color, packed)
                                  : color_write_pass(target.color, state.raster.color_write_mask));
+  return passes;
 }
 
 void demand_colors(const DrawState& state, Plan& plan) {
@@ -262,7 +264,12 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   plan.fog = plan.writes_color && state.raster.fog.mode != FogMode::none;
   plan.secondary_color = secondary_color(state, plan);
   plan.phong = target.methods.shading == ShadingMethod::phong && plan.colors && state.lighting.enabled && state.lighting.light_count > 0;
-  add_fragment_passes(state, target, plan);
+  plan.fragment = plan.filled = fragment_passes(state, target, plan);
+  if (plan.coverage && !state.polygons.smooth) {
+    Plan without = plan;
+    without.coverage = false;
+    plan.filled = fragment_passes(state, target, without);
+  }
 
   plan_vertices(state, plan);
   if (plan.phong) {
@@ -272,7 +279,32 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
   return plan;
 }
 
-std::string describe(const Plan& plan, const DrawState& state, TargetFormat target) {
+DrawnKinds kinds_of(const DrawState& state, const VertexBatch& batch) {
+  DrawnKinds kinds{false, false, false};
+  const auto add_polygons = [&](PolygonMode mode) {
+    kinds.points |= mode == PolygonMode::point;
+    kinds.lines |= mode == PolygonMode::line;
+    kinds.filled |= mode == PolygonMode::fill;
+  };
+  for (const PrimitiveRange& range : batch.primitives) {
+    switch (range.mode) {
+      case PrimitiveMode::points:
+        kinds.points = true;
+        break;
+      case PrimitiveMode::lines:
+      case PrimitiveMode::line_loop:
+      case PrimitiveMode::line_strip:
+        kinds.lines = true;
+        break;
+      default:
+        add_polygons(state.assembly.polygon_mode_front);
+        add_polygons(state.assembly.polygon_mode_back);
+    }
+  }
+  return kinds;
+}
+
+std::string describe(const Plan& plan, const DrawState& state, TargetFormat target, DrawnKinds kinds) {
   std::string text;
   const Line line{text};
   if (!plan.draws) {
@@ -303,7 +335,7 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
   }
   if (state.assembly.cull != CullMode::none) line("cull", "", "§3.5.1");
   line("rasterize", plan.colors && state.assembly.shade_model == ShadeModel::flat ? "flat" : "", "§3.5.1");
-  describe_rasterization(state, line);
+  describe_rasterization(state, kinds, line);
   if (plan.polygon_stipple) line("polygon stipple", "", "§3.5.2");
   const auto describe_shading = [&] {
     constexpr std::array<std::string_view, 4> modes{"", "linear", "exp", "exp2"};
@@ -312,7 +344,9 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     }
     if (plan.secondary_color == SecondaryColor::interpolated) line("add the secondary color", "", "§3.9");
     if (plan.fog) line("fog", modes[static_cast<std::size_t>(state.raster.fog.mode)], "§3.10");
-    if (plan.coverage) line(state.multisample.enabled ? "point fade" : "coverage", "", state.multisample.enabled ? "§3.12" : "§3.11");
+    const bool only_filled = !kinds.points && !kinds.lines;
+    const bool covers = plan.coverage && (!only_filled || state.polygons.smooth);
+    if (covers) line(state.multisample.enabled ? "point fade" : "coverage", "", state.multisample.enabled ? "§3.12" : "§3.11");
     if (plan.sample_alpha) line("alpha to samples", "", "§4.1.3");
   };
   const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;

@@ -63,6 +63,8 @@ struct Plan {
   bool writes_color = false;
 
   FragmentPasses fragment{};
+  /// Of filled polygons: without the coverage, if it is that of points and lines alone.
+  FragmentPasses filled{};
   Methods methods{};
   bool operator==(const Plan&) const = default;
 
@@ -71,7 +73,13 @@ struct Plan {
 /// Pure and cheap (no allocation): called whenever the state changed.
 Plan make_plan(const DrawState& state, TargetFormat target);
 
+/// What a draw is rasterized as.
+struct DrawnKinds {
+  bool points = true, lines = true, filled = true;
+};
+DrawnKinds kinds_of(const DrawState& state, const VertexBatch& batch);
+
 /// One line a stage, in order, each with its spec section: what GOURAUD_TRACE=plan prints.
-std::string describe(const Plan& plan, const DrawState& state, TargetFormat target);
+std::string describe(const Plan& plan, const DrawState& state, TargetFormat target, DrawnKinds kinds = {});
 
 }  // namespace gouraud::pipeline

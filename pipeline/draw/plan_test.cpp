@@ -200,6 +200,19 @@ TEST(Plan, OfSmoothLinesMultipliesAlphaByCoverage) {
   EXPECT_NE(describe(make_plan(state, window), state, window).find("smooth lines: width 1.5"), std::string::npos);
 }
 
+TEST(Plan, OfFilledPolygonsHasNoCoverageOfSmoothLines) {
+  DrawState state = unlit();
+  const Plan plain = make_plan(state, window);
+  state.lines.smooth = state.points.smooth = true;
+  const Plan plan = make_plan(state, window);
+  EXPECT_EQ(plan.filled, plain.fragment);
+  EXPECT_NE(plan.fragment, plain.fragment);
+  const DrawnKinds filled{.points = false, .lines = false};
+  EXPECT_EQ(describe(plan, state, window, filled), describe(plain, unlit(), window));
+  state.polygons.smooth = true;
+  EXPECT_EQ(make_plan(state, window).filled, plan.fragment);
+}
+
 TEST(Plan, OfAStippledPolygonMasksFirst) {
   DrawState state = unlit();
   state.raster.polygon_stipple.enabled = true;

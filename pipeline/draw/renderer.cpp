@@ -108,7 +108,8 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
     binding.method = method;
   }
   if (plan.writes_stencil) note_stencil(*bins.target());
-  setup = bins.intern(make_setup_state(state, plan, *bins.target()), binding);
+  const SetupState state_of_setup = make_setup_state(state, plan, *bins.target());
+  setup = outlined_setup = filled_setup = bins.intern(state_of_setup, binding);
   smooth_polygons = state.polygons.smooth;
   homogeneous = plan.methods.coverage == CoverageMethod::homogeneous && !smooth_polygons;
   phong = plan.phong;
@@ -120,6 +121,10 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   plain_points = are_plain_points(*setup);
   plain_lines = are_plain_lines(*setup) && !plan.methods.walks_lines();
   unfilled = mode_front != PolygonMode::fill || mode_back != PolygonMode::fill;
+  if (!unfilled && plan.coverage && !state.polygons.smooth && image == nullptr) {
+    binding.passes = plan.filled;
+    filled_setup = bins.intern(state_of_setup, binding);
+  }
   clip_attributes = {plan.eye_positions, plan.colors, setup->two_sided, plan.secondary_color != SecondaryColor::none,
                      varyings.of_vertices(), &state.clip_planes};
 }
@@ -158,7 +163,6 @@ void Renderer::Implementation::project(const DrawState& state) {
 
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
-  smooth_parts.clear();
   shared = {};
   const bool lasting_diagonal = unfilled || state.assembly.shade_model == ShadeModel::flat || state.raster.polygon_stipple.enabled;
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
@@ -174,7 +178,9 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
     assemble(range, other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, assembled);
     if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
     if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
+    setup = filled_setup;
     draw_range_of_triangles(range);
+    setup = outlined_setup;
     if (gathers && !(assembled.lines.empty() && assembled.points.empty())) give_gathered();
     // The stipple counter starts anew with a primitive and with each independent line [GL1.5 §3.4.2].
     const bool independent = range.mode == PrimitiveMode::lines;
@@ -266,7 +272,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   self.run_vertex_stages(state, plan, varyings, batch);
   self.batch_count = batch.count;
   self.bins.target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
-  if (self.bins.full()) self.run_bins();
+  if (self.bins.full() && self.smooth_parts.empty()) self.run_bins();
 }
 
 ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {

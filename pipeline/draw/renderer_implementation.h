@@ -43,6 +43,7 @@ struct Renderer::Implementation {
   void select_and_add(std::span<const AssembledTriangle> triangles, SharedVertices of_range);
   void set_up_smooth_part(const WaitingTriangle& triangle);
   void finish_polygons();
+  void add_smooth_polygon();
   void flush_shapes();
   void add_homogeneous_triangle(const AssembledTriangle& triangle);
   bool draw_unclipped(const AssembledTriangle& triangle);
@@ -67,6 +68,7 @@ struct Renderer::Implementation {
   void finish();
   /// Rasterizes what is pending.
   void run_bins() {
+    add_smooth_polygon();
     give_gathered();
     drawn_since_resolve |= bins.pending();
     const IeeeFloats floats;
@@ -91,7 +93,7 @@ struct Renderer::Implementation {
   bool dirty = false;
 
   // Of the batch being drawn.
-  const SetupState* setup = nullptr;
+  const SetupState *setup = nullptr, *filled_setup = nullptr, *outlined_setup = nullptr;
   ViewportState viewport;
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
   bool unfilled = false;
@@ -105,7 +107,7 @@ struct Renderer::Implementation {
   std::vector<AssembledTriangle> clipped;
   std::vector<AssembledTriangle> ready;  ///< wait for setup, which takes several at a time
   alignas(64) std::array<std::byte, selection_batch * largest_waiting> selected;  ///< of those, the ones to draw
-  std::vector<const PrimitiveRecord*> smooth_parts;  ///< of the smooth polygon that is being drawn
+  std::vector<const PrimitiveRecord*> smooth_parts;  ///< of the smooth polygon that is being drawn; in the bins' memory
   std::int32_t batch_count = 0;          ///< vertices beyond are the clipper's
   SharedVertices shared;                 ///< of the batch, for its indexed ranges; none until one has asked
   std::vector<PixelPosition> pixels;

@@ -48,7 +48,9 @@ SharedVertices Renderer::Implementation::share_vertices(const PrimitiveRange& ra
 /// overwritten: their parts keep their own.
 void Renderer::Implementation::draw_range_of_triangles(const PrimitiveRange& range) {
   const std::span<const AssembledTriangle> triangles = assembled.triangles;
-  if (triangles.empty()) return;
+  // Of a polygon that is longer than a batch, the rest is still to come.
+  const bool goes_on = range.mode == PrimitiveMode::polygon && !range.ends && bins.target()->samples == 1;
+  if (triangles.empty()) return goes_on ? void() : finish_polygons();
   const bool plain = !unfilled && !setup->polygons.smooth;
   const SharedVertices of_range = plain ? share_vertices(range) : SharedVertices{};
   const auto is_inside = [this](const AssembledTriangle& triangle) {
@@ -69,7 +71,7 @@ void Renderer::Implementation::draw_range_of_triangles(const PrimitiveRange& ran
     flush_triangles();
     select_and_add(triangles.subspan(first, i - first), of_range);
   }
-  finish_polygons();
+  goes_on ? flush_triangles() : finish_polygons();
 }
 
 /// A smooth polygon has one fragment in each pixel, whatever triangles it was split into [GL1.5 §3.5.3].
@@ -82,10 +84,14 @@ void Renderer::Implementation::set_up_smooth_part(const WaitingTriangle& triangl
   smooth_parts.push_back(&record);
 }
 
-/// What comes next belongs to no polygon before it. choice: one that was cut, because it is longer than a batch, shows the
-/// seam where it was cut.
+/// What comes next belongs to no polygon before it. choice: one that is longer than a batch and drawn for each of several
+/// samples (a method against jagged edges) shows the seam where it was cut.
 void Renderer::Implementation::finish_polygons() {
   flush_triangles();
+  add_smooth_polygon();
+}
+
+void Renderer::Implementation::add_smooth_polygon() {
   if (smooth_parts.empty()) return;
   const auto count = static_cast<std::int32_t>(smooth_parts.size());
   if (count == 1) {
