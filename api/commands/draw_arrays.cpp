@@ -232,7 +232,7 @@ void draw(Context& context, GLenum mode, const Sources& sources, std::uintptr_t 
   if (!context.can_draw(sources.command)) return;
   const CurrentGroup before = context.state.current;
   constexpr bool indexed = kind == Elements::shared;
-  indexed ? context.begin_indexed_primitive(primitive_mode(mode)) : context.begin_primitive(primitive_mode(mode));
+  indexed ? context.begin_indexed_primitive(primitive_mode(mode)) : context.begin_primitive(primitive_mode(mode), pipeline::PrimitiveOrigin::arrays);
   try {
     indexed ? append_shared(context, sources, count, number) : append_all(context, sources, count, number);
   } catch (...) {  // no memory

@@ -91,12 +91,18 @@ class MeshWalk {
     }
   }
 
+  /// Rows of quads [GL1.5 §5.1].
+  /// choice: their diagonals are those of a triangle strip, as Mesa has them, where they make no other difference.
   void fill() {
+    const State& state = context_.state;
+    const bool shows_quads = state.lighting.shade_model == GL_FLAT || state.polygon.front_mode != GL_FILL || state.polygon.back_mode != GL_FILL ||
+                             state.polygon.smooth_enabled || state.render_mode.mode != GL_RENDER;
+    const auto row_mode = shows_quads ? pipeline::PrimitiveMode::quad_strip : pipeline::PrimitiveMode::triangle_strip;
     std::vector<EvaluatedValues> lower(columns_), upper(columns_);
     if (j1_ < j2_) evaluate_row(j1_, lower);
     for (std::int64_t j = j1_; j < j2_; ++j) {
       evaluate_row(j + 1, upper);
-      context_.begin_primitive(pipeline::PrimitiveMode::quad_strip);
+      context_.begin_primitive(row_mode);
       for (std::size_t c = 0; c < columns_; ++c) {
         sender_.send(lower[c]);
         sender_.send(upper[c]);

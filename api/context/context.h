@@ -135,7 +135,7 @@ class Context {
   /// Brings draw_state() and plan() up to date with the state, flushing pending vertices first if they differ.
   void refresh();
   /// Begin and End [GL1.5 §2.6.1]; begin_primitive refreshes first.
-  void begin_primitive(pipeline::PrimitiveMode mode);
+  void begin_primitive(pipeline::PrimitiveMode mode, pipeline::PrimitiveOrigin origin = pipeline::PrimitiveOrigin::begin_end);
   void end_primitive();
   /// As begin_primitive, for a primitive whose vertices are named by batch.elements; end_primitive ends it as well.
   void begin_indexed_primitive(pipeline::PrimitiveMode mode);

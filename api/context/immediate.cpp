@@ -161,12 +161,12 @@ void Context::flush_vertices() {
   if (immediate.batch.count > 0) draw_pending();
 }
 
-void Context::begin_primitive(PrimitiveMode mode) {
+void Context::begin_primitive(PrimitiveMode mode, pipeline::PrimitiveOrigin origin) {
   refresh();
   VertexBatch& batch = immediate.batch;
   if (plan_.draws && target() != nullptr) {
     if (batch.count > pipeline::batch_capacity - least_room) draw_pending();
-    batch.primitives.push_back({mode, true, true, batch.count, 0, false, list_nesting > 0});
+    batch.primitives.push_back({mode, true, true, batch.count, 0, false, list_nesting > 0 ? pipeline::PrimitiveOrigin::display_list : origin});
     immediate.batch_modes |= mode_bit(mode);
     immediate.limit = limit_of(mode, batch.count);
     immediate.demand = plan_.vertex_demand;
@@ -189,8 +189,9 @@ void Context::continue_indexed_primitive() {
   pipeline::PrimitiveRange& range = batch.primitives.back();
   range.ends = false;
   range.count = static_cast<std::int32_t>(batch.elements.size()) - range.first;
+  const pipeline::PrimitiveOrigin origin = range.origin;
   draw_pending();
-  batch.primitives.push_back({immediate.mode, false, true, 0, 0, true, list_nesting > 0});
+  batch.primitives.push_back({immediate.mode, false, true, 0, 0, true, origin});
   immediate.batch_modes = mode_bit(immediate.mode);
 }
 
@@ -215,8 +216,9 @@ bool Context::make_room_for_vertex() {
     const auto k = static_cast<std::size_t>(i);
     materials[k] = material_at(batch, draw_state_.lighting.material, carried.from[k]);
   }
+  const pipeline::PrimitiveOrigin origin = batch.primitives.back().origin;
   draw_pending();
-  batch.primitives.push_back({immediate.mode, false, true, 0, 0, false, list_nesting > 0});
+  batch.primitives.push_back({immediate.mode, false, true, 0, 0, false, origin});
   immediate.batch_modes = mode_bit(immediate.mode);
   immediate.limit = limit_of(immediate.mode, 0);
 

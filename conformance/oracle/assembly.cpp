@@ -51,11 +51,12 @@ void assemble_quads(const PrimitiveRange& range, bool diagonal_02, Assembler& ou
 }
 
 /// Quad i of a strip is (2i, 2i + 1, 2i + 3, 2i + 2).
-void assemble_quad_strip(const PrimitiveRange& range, Assembler& out) {
+void assemble_quad_strip(const PrimitiveRange& range, bool far_half_first, Assembler& out) {
   for (int i = 0; i + 3 < range.count; i += 2) {
     const int last = i + 3;
-    out.triangle(i, i + 1, i + 3, last, edge_ab | edge_bc);
-    out.triangle(i, i + 3, i + 2, last, edge_bc | edge_ca, true);
+    if (far_half_first) out.triangle(i + 2, i, i + 3, last, edge_ab | edge_ca);
+    out.triangle(i, i + 1, i + 3, last, edge_ab | edge_bc, far_half_first);
+    if (!far_half_first) out.triangle(i, i + 3, i + 2, last, edge_bc | edge_ca, true);
   }
 }
 
@@ -69,7 +70,7 @@ void assemble_polygon(const PrimitiveRange& range, Assembler& out) {
 
 }  // namespace
 
-std::vector<Primitive> assemble(const PrimitiveRange& range, bool diagonal_02) {
+std::vector<Primitive> assemble(const PrimitiveRange& range, QuadSplit split) {
   Assembler out(range.first);
   const int n = range.count;
   switch (range.mode) {
@@ -98,10 +99,10 @@ std::vector<Primitive> assemble(const PrimitiveRange& range, bool diagonal_02) {
       for (int i = 2; i < n; ++i) out.triangle(0, i - 1, i, i);
       break;
     case PrimitiveMode::quads:
-      assemble_quads(range, diagonal_02, out);
+      assemble_quads(range, split.diagonal_02, out);
       break;
     case PrimitiveMode::quad_strip:
-      assemble_quad_strip(range, out);
+      assemble_quad_strip(range, split.strips_far_half_first, out);
       break;
     case PrimitiveMode::polygon:
       assemble_polygon(range, out);

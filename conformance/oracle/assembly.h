@@ -1,7 +1,7 @@
 // Takes a range of vertices, gives its points, lines and triangles as vertex numbers.
 // [GL1.5 §2.6.1] and, for the vertex that colours a flat primitive, [GL1.5 §2.14.7 Table 2.12].
-// choice: quads and polygons are split as MESA-RULES 2.5 says: quads as `diagonal_02` says, quad strips from their first
-// to their last vertex, polygons as fans around the first vertex.
+// choice: quads and polygons are split as MESA-RULES 2.5 says: quads as QuadSplit says, polygons as fans around the first
+// vertex.
 #pragma once
 
 #include <array>
@@ -22,8 +22,15 @@ struct Primitive {
   bool continues = false;  ///< the same polygon as the triangle before
 };
 
-/// `diagonal_02`: quads are split from vertex 0 to 2; else from 1 to 3. Of an indexed range, vertices are elements: resolve_elements() replaces them by the vertices that they name.
-std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, bool diagonal_02 = true);
+/// Quads from vertex 0 to 2, or from 1 to 3. Those of strips are split from their first to their last vertex; which half
+/// comes first shows where they are folded.
+struct QuadSplit {
+  bool diagonal_02 = true;
+  bool strips_far_half_first = false;
+};
+
+/// Of an indexed range, vertices are elements: resolve_elements() replaces them by the vertices that they name.
+std::vector<Primitive> assemble(const pipeline::PrimitiveRange& range, QuadSplit split = {});
 
 void resolve_elements(const pipeline::VertexBatch& batch, Primitive& primitive);
 

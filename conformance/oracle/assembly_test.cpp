@@ -38,7 +38,7 @@ TEST(Assembly, StripsKeepTheirOrientation) {
 
 TEST(Assembly, QuadDiagonalsFollowTheState) {
   EXPECT_EQ(assembled(PrimitiveMode::quads, 4)[0].vertex, (std::array{0, 1, 2}));
-  const auto quads = assemble({PrimitiveMode::quads, true, true, 8, 4}, false);
+  const auto quads = assemble({PrimitiveMode::quads, true, true, 8, 4}, {.diagonal_02 = false});
   EXPECT_EQ(quads[0].vertex, (std::array{8, 9, 11}));
   EXPECT_EQ(quads[1].vertex, (std::array{9, 10, 11}));
   EXPECT_EQ(quads[0].provoking, 11);
@@ -60,7 +60,7 @@ TEST(Assembly, BoundaryEdgesAreThePolygons) {
   const std::vector<std::pair<int, int>> around{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
   EXPECT_EQ(boundary(assembled(PrimitiveMode::quads, 4)), around);
   EXPECT_EQ(boundary(assembled(PrimitiveMode::polygon, 4)), around);
-  EXPECT_EQ(boundary(assemble({PrimitiveMode::quads, true, true, 0, 4}, false)),
+  EXPECT_EQ(boundary(assemble({PrimitiveMode::quads, true, true, 0, 4}, {.diagonal_02 = false})),
             around);
   EXPECT_EQ(boundary(assembled(PrimitiveMode::quad_strip, 4)),
             (std::vector<std::pair<int, int>>{{0, 1}, {1, 3}, {2, 0}, {3, 2}}));

@@ -56,22 +56,23 @@ class Draw {
   void reset_stipple() { stipple_count_ = 0; }
 
   /// As MESA-RULES 2.5 has it; `i` counts the batch's ranges, and must go up.
-  bool splits_quads_from_0_to_2(const std::vector<pipeline::PrimitiveRange>& ranges, std::size_t i) {
+  QuadSplit split_of_quads(const pipeline::VertexBatch& batch, std::size_t i) {
     using pipeline::PrimitiveMode;
+    const std::vector<pipeline::PrimitiveRange>& ranges = batch.primitives;
     const pipeline::PrimitiveRange& range = ranges[i];
-    if (range.mode != PrimitiveMode::quads) return true;
-    if (i == 0 || ranges[i - 1].mode != PrimitiveMode::quads) {
-      clipped_quads_ = clipped_quads_ && !range.begins;
-      for (std::size_t k = i; k < ranges.size() && ranges[k].mode == PrimitiveMode::quads && !ranges[k].indexed; ++k) {
-        for (int n = ranges[k].first; n < ranges[k].first + ranges[k].count; ++n) {
-          clipped_quads_ = clipped_quads_ || !in_view_volume(vertex(n), state_.clip_planes, state_.viewport.zero_to_one);
-        }
+    if (range.mode == PrimitiveMode::quads && (i == 0 || !are_drawn_together(ranges[i - 1], range))) {
+      clipped_quads_ = (clipped_quads_ && !range.begins) || is_clipped(batch, range);
+      for (std::size_t k = i + 1; k < ranges.size() && are_drawn_together(ranges[k - 1], ranges[k]); ++k) {
+        clipped_quads_ = clipped_quads_ || is_clipped(batch, ranges[k]);
       }
     }
     const pipeline::AssemblyState& assembly = state_.assembly;
     const bool filled = assembly.polygon_mode_front == PolygonMode::fill && assembly.polygon_mode_back == PolygonMode::fill;
-    const bool plain = filled && assembly.shade_model == pipeline::ShadeModel::smooth && !sink_.state.polygon_stipple.enabled;
-    return plain && !clipped_quads_ && !range.indexed && !range.from_list;
+    const bool in_pieces = !filled || sink_.state.polygon_stipple.enabled;
+    const bool plain = !in_pieces && assembly.shade_model == pipeline::ShadeModel::smooth;
+    const bool from_list = range.origin == pipeline::PrimitiveOrigin::display_list;
+    return {.diagonal_02 = plain && !clipped_quads_ && !range.indexed && !from_list,
+            .strips_far_half_first = range.mode == PrimitiveMode::quad_strip && (in_pieces || is_clipped(batch, range))};
   }
 
   void draw(const Primitive& primitive) {
@@ -100,6 +101,21 @@ class Draw {
 
  private:
   const ClipVertex<T>& vertex(int i) const { return vertices_[static_cast<std::size_t>(i)]; }
+
+  static bool are_drawn_together(const pipeline::PrimitiveRange& a, const pipeline::PrimitiveRange& b) {
+    const auto may = [](const pipeline::PrimitiveRange& range) {
+      return range.mode == pipeline::PrimitiveMode::quads && !range.indexed && range.origin == pipeline::PrimitiveOrigin::begin_end;
+    };
+    return may(a) && may(b);
+  }
+
+  bool is_clipped(const pipeline::VertexBatch& batch, const pipeline::PrimitiveRange& range) const {
+    for (int n = range.first; n < range.first + range.count; ++n) {
+      const int named = range.indexed ? batch.elements[static_cast<std::size_t>(n)] : n;
+      if (!in_view_volume(vertex(named), state_.clip_planes, state_.viewport.zero_to_one)) return true;
+    }
+    return false;
+  }
 
   void draw_point(const Primitive& primitive) {
     const ClipVertex<T>& point = vertex(primitive.vertex[0]);
@@ -269,8 +285,8 @@ void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& b
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
     const pipeline::PrimitiveRange& range = batch.primitives[i];
     if (range.begins) draw.reset_stipple();
-    const bool diagonal_02 = draw.splits_quads_from_0_to_2(batch.primitives, i);
-    for (Primitive& primitive : assemble(range, diagonal_02)) {
+    const QuadSplit split = draw.split_of_quads(batch, i);
+    for (Primitive& primitive : assemble(range, split)) {
       if (range.indexed) resolve_elements(batch, primitive);
       if (range.mode == pipeline::PrimitiveMode::lines) draw.reset_stipple();
       apply_edge_flags(batch, range, state.assembly, primitive);

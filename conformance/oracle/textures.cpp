@@ -237,6 +237,7 @@ class Level {
     const glm::vec4& b = unit_.sampler.border_color;
     const BaseFormat format = seen_format(unit_);
     if (!unit_.sampler.compares) {
+      if (outside && image.base_format == BaseFormat::depth) return as_seen(format, {b.x, b.x, b.x, b.x}, true);
       if (outside) return as_seen(format, {b.x, b.y, b.z, b.w}, true);
       Color texel = as_seen(format, stored(image, at[0], at[1], at[2]), bytes_per_texel(image.format) >= 4 && has_four_channels(image.format));
       for (std::size_t k = 0; image.srgb && k < 3; ++k) texel[k] = linear_light(texel[k]);

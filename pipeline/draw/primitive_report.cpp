@@ -29,7 +29,7 @@ class Reporter {
 
   void report(const PrimitiveRange& range) {
     assembled_ = {};
-    if (outline_count(range) == 0) assemble(range, QuadDiagonal::from_0_to_2, assembled_);
+    if (outline_count(range) == 0) assemble(range, {}, assembled_);
     for (const AssembledPoint& point : assembled_.points) {
       if (vertices_.outcode[point.vertex] == 0) receiver_.point(vertex(point.vertex, point.vertex, false));
     }

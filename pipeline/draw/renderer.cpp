@@ -164,18 +164,20 @@ void Renderer::Implementation::project(const DrawState& state) {
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   shared = {};
-  const bool lasting_diagonal = unfilled || state.assembly.shade_model == ShadeModel::flat || state.raster.polygon_stipple.enabled;
+  const bool in_pieces = unfilled || state.raster.polygon_stipple.enabled;
+  const bool lasting_diagonal = in_pieces || state.assembly.shade_model == ShadeModel::flat;
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
     const PrimitiveRange& range = batch.primitives[i];
     if (phong && !batch.material_runs.empty()) select_material(batch, range);
-    if (!lasting_diagonal && range.mode == PrimitiveMode::quads && (i == 0 || batch.primitives[i - 1].mode != PrimitiveMode::quads)) {
+    if (!lasting_diagonal && begins_quads(batch, i)) {
       clipped_quads = (clipped_quads && !range.begins) || are_quads_clipped(batch, vertices, i);
     }
-    const bool other_diagonal = lasting_diagonal || clipped_quads || range.indexed || range.from_list;
+    const bool other_diagonal = lasting_diagonal || clipped_quads || range.indexed || range.origin == PrimitiveOrigin::display_list;
     assembled.triangles.clear();
     assembled.lines.clear();
     assembled.points.clear();
-    assemble(range, other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, assembled);
+    const bool far_half_first = range.mode == PrimitiveMode::quad_strip && (in_pieces || is_clipped(range, batch, vertices));
+    assemble(range, {other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, far_half_first}, assembled);
     if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
     if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
     setup = filled_setup;

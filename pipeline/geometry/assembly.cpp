@@ -85,11 +85,16 @@ void assemble_quads(Indices at, std::int32_t count, QuadDiagonal diagonal, std::
 }
 
 /// Quad i / 2 has the vertices i, i + 1, i + 3, i + 2 in order. Its last specified vertex, i + 3, provokes.
-void assemble_quad_strip(Indices at, std::int32_t count, std::vector<AssembledTriangle>& out) {
+void assemble_quad_strip(Indices at, std::int32_t count, bool far_half_first, std::vector<AssembledTriangle>& out) {
   AssembledTriangle* triangle = append(out, count < 4 ? 0 : (count - 2) / 2 * 2);
   for (std::int32_t i = 0; i + 3 < count; i += 2) {
-    *triangle++ = at.triangle(i, i + 1, i + 3, i + 3, edge_01 | edge_12);
-    *triangle++ = at.triangle(i, i + 3, i + 2, i + 3, edge_12 | edge_20, true);
+    if (far_half_first) {
+      *triangle++ = at.triangle(i + 2, i, i + 3, i + 3, edge_01 | edge_20);
+      *triangle++ = at.triangle(i, i + 1, i + 3, i + 3, edge_01 | edge_12, true);
+    } else {
+      *triangle++ = at.triangle(i, i + 1, i + 3, i + 3, edge_01 | edge_12);
+      *triangle++ = at.triangle(i, i + 3, i + 2, i + 3, edge_12 | edge_20, true);
+    }
   }
 }
 
@@ -108,12 +113,27 @@ void assemble_polygon(Indices at, const PrimitiveRange& range, std::vector<Assem
 
 }  // namespace
 
+bool is_clipped(const PrimitiveRange& range, const VertexBatch& batch, const ProcessedVertices& vertices) {
+  for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
+    const std::size_t vertex = range.indexed ? batch.elements[static_cast<std::size_t>(i)] : static_cast<std::size_t>(i);
+    if (vertices.outcode[vertex] != 0) return true;
+  }
+  return false;
+}
+
+bool begins_quads(const VertexBatch& batch, std::size_t i) {
+  const auto may_join = [](const PrimitiveRange& range) {
+    return range.mode == PrimitiveMode::quads && !range.indexed && range.origin == PrimitiveOrigin::begin_end;
+  };
+  if (batch.primitives[i].mode != PrimitiveMode::quads) return false;
+  return i == 0 || !may_join(batch.primitives[i - 1]) || !may_join(batch.primitives[i]);
+}
+
 bool are_quads_clipped(const VertexBatch& batch, const ProcessedVertices& vertices, std::size_t i) {
-  for (; i < batch.primitives.size(); ++i) {
-    const PrimitiveRange& range = batch.primitives[i];
-    if (range.mode != PrimitiveMode::quads || range.indexed) break;
-    const auto* const first = vertices.outcode.data() + range.first;
-    if (std::any_of(first, first + range.count, [](std::uint16_t outcode) { return outcode != 0; })) return true;
+  const std::size_t begin = i;
+  for (; i < batch.primitives.size() && batch.primitives[i].mode == PrimitiveMode::quads; ++i) {
+    if (i > begin && begins_quads(batch, i)) break;
+    if (is_clipped(batch.primitives[i], batch, vertices)) return true;
   }
   return false;
 }
@@ -143,7 +163,7 @@ void resolve_elements(const std::uint16_t* elements, AssembledPrimitives& primit
   }
 }
 
-void assemble(const PrimitiveRange& range, QuadDiagonal diagonal, AssembledPrimitives& out) {
+void assemble(const PrimitiveRange& range, QuadSplit split, AssembledPrimitives& out) {
   const Indices at{range.indexed ? 0 : range.first};
   const std::int32_t count = range.count;
   switch (range.mode) {
@@ -162,9 +182,9 @@ void assemble(const PrimitiveRange& range, QuadDiagonal diagonal, AssembledPrimi
     case PrimitiveMode::triangle_fan:
       return assemble_fan(at, count, out.triangles);
     case PrimitiveMode::quads:
-      return assemble_quads(at, count, diagonal, out.triangles);
+      return assemble_quads(at, count, split.diagonal, out.triangles);
     case PrimitiveMode::quad_strip:
-      return assemble_quad_strip(at, count, out.triangles);
+      return assemble_quad_strip(at, count, split.strips_far_half_first, out.triangles);
     case PrimitiveMode::polygon:
       return assemble_polygon(at, range, out.triangles);
   }

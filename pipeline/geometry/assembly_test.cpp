@@ -34,7 +34,7 @@ std::string letters(const AssembledPrimitives& primitives) {
 
 std::string assembled(PrimitiveMode mode, std::int32_t count, QuadDiagonal diagonal = QuadDiagonal::from_0_to_2) {
   AssembledPrimitives out;
-  assemble({mode, true, true, 0, count}, diagonal, out);
+  assemble({mode, true, true, 0, count}, {.diagonal = diagonal}, out);
   return letters(out);
 }
 
@@ -55,6 +55,13 @@ TEST(Assembly, OfSmoothQuadsHasTheDiagonalFromTheFirstVertex) {
   EXPECT_EQ(assembled(PrimitiveMode::quads, 8), "abc- d, a-cd d, efg- h, e-gh h");
 }
 
+TEST(Assembly, OfQuadStripsHasTheDiagonalToTheLastVertexAndEitherHalfFirst) {
+  EXPECT_EQ(assembled(PrimitiveMode::quad_strip, 4), "abd- d, a-dc d");
+  AssembledPrimitives out;
+  assemble({PrimitiveMode::quad_strip, true, true, 0, 4}, {.strips_far_half_first = true}, out);
+  EXPECT_EQ(letters(out), "ca-d d, abd- d");
+}
+
 TEST(Assembly, QuadsAreClippedTogether) {
   auto batch = std::make_unique<VertexBatch>();
   auto vertices = std::make_unique<ProcessedVertices>();
@@ -67,6 +74,10 @@ TEST(Assembly, QuadsAreClippedTogether) {
   EXPECT_TRUE(are_quads_clipped(*batch, *vertices, 3));
   vertices->outcode[7] = 1;
   EXPECT_TRUE(are_quads_clipped(*batch, *vertices, 0));
+  EXPECT_FALSE(begins_quads(*batch, 1));
+  batch->primitives[1].origin = PrimitiveOrigin::arrays;
+  EXPECT_TRUE(begins_quads(*batch, 1));
+  EXPECT_FALSE(are_quads_clipped(*batch, *vertices, 0)) << "those of arrays are drawn apart, too";
 }
 
 TEST(Assembly, OfFlatQuadsHasTheOtherDiagonal) {
@@ -109,8 +120,8 @@ TEST(Assembly, OfALoopOfTwoVerticesGoesThereAndBack) {
 
 TEST(Assembly, CountsVerticesFromTheRangesFirstAndAppends) {
   AssembledPrimitives out;
-  assemble({PrimitiveMode::triangles, true, true, 0, 3}, QuadDiagonal::from_0_to_2, out);
-  assemble({PrimitiveMode::triangle_fan, true, true, 3, 4}, QuadDiagonal::from_0_to_2, out);
+  assemble({PrimitiveMode::triangles, true, true, 0, 3}, {}, out);
+  assemble({PrimitiveMode::triangle_fan, true, true, 3, 4}, {}, out);
   EXPECT_EQ(letters(out), "abc c, def f, dfg g");
 }
 
@@ -156,7 +167,7 @@ std::string assembled_in_pieces(PrimitiveMode mode, QuadDiagonal diagonal, std::
     while (static_cast<std::int32_t>(names.size()) < limit && next < count)
       names.push_back(static_cast<std::uint16_t>(next++));
     AssembledPrimitives part;
-    assemble({mode, begins, next == count, 0, static_cast<std::int32_t>(names.size())}, diagonal, part);
+    assemble({mode, begins, next == count, 0, static_cast<std::int32_t>(names.size())}, {.diagonal = diagonal}, part);
     for (AssembledPoint p : part.points) whole.points.push_back({names[p.vertex], names[p.provoking], p.back});
     for (AssembledLine l : part.lines)
       whole.lines.push_back({{names[l.vertex[0]], names[l.vertex[1]]}, names[l.provoking], l.back});

@@ -87,7 +87,7 @@ void assemble_range(benchmark::State& state) {
     out.triangles.clear();
     out.lines.clear();
     out.points.clear();
-    assemble({static_cast<PrimitiveMode>(state.range(0)), true, true, 0, batch_capacity}, QuadDiagonal::from_0_to_2, out);
+    assemble({static_cast<PrimitiveMode>(state.range(0)), true, true, 0, batch_capacity}, {}, out);
     benchmark::DoNotOptimize(out);
   }
   report(state);

@@ -30,6 +30,9 @@ enum VertexAttribute : std::uint32_t {
 };
 constexpr std::uint32_t attribute_texture_coordinates(int unit) { return attribute_texture_coordinates_0 << unit; }
 
+/// How the application gave a primitive: see QuadDiagonal.
+enum class PrimitiveOrigin : std::uint8_t { begin_end, display_list, arrays };
+
 /// A stretch of one primitive: vertices [first, first + count). A Begin/End too long for one batch comes as several
 /// ranges in successive batches. `begins`/`ends` tell whether the range holds the primitive's true start and end.
 /// A continued range repeats the vertices that assembly still needs:
@@ -44,7 +47,7 @@ struct PrimitiveRange {
   std::int32_t first = 0, count = 0;
   /// The range is [first, first + count) of VertexBatch::elements, which name the vertices: some are shared.
   bool indexed = false;
-  bool from_list = false;  ///< a display list's: see QuadDiagonal
+  PrimitiveOrigin origin = PrimitiveOrigin::begin_end;
 };
 
 /// From vertex `first` on, this material applies (glMaterial between vertices).

@@ -246,6 +246,20 @@ TEST(Sampling, EveryFormat) {
   }
 }
 
+TEST(Sampling, BordersOfDepthsAreOfTheFirstComponent) {
+  auto f = std::make_unique<Fixture>();
+  f->state.sampler.border_color = {0.25f, 0.5f, 0.75f, 1.0f};
+  f->make_texture(TextureTarget::two_d, TexelFormat::z24s8, BaseFormat::depth, {8, 8, 1}, 0, false);
+  const auto border_as = [&](DepthTextureMode mode) {
+    f->state.sampler.depth_mode = mode;
+    f->prepare();
+    return f->units.unit[0].border;
+  };
+  EXPECT_EQ(border_as(DepthTextureMode::alpha), (std::array{0.0f, 0.0f, 0.0f, 0.25f}));
+  EXPECT_EQ(border_as(DepthTextureMode::luminance), (std::array{0.25f, 0.25f, 0.25f, 1.0f}));
+  EXPECT_EQ(border_as(DepthTextureMode::intensity), (std::array{0.25f, 0.25f, 0.25f, 0.25f}));
+}
+
 TEST(Sampling, EveryComparison) {
   auto f = std::make_unique<Fixture>();
   f->state.sampler.compares = true;

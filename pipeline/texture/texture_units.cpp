@@ -35,10 +35,10 @@ PreparedLevel prepare_level(const Image& image, std::int32_t dimensions) {
 }
 
 /// [GL1.5 §3.8.8]: as Table 3.15 has it for the base format; the first component for depths.
-std::array<float, 4> border_texel(const glm::vec4& c, BaseFormat format, bool compares) {
+std::array<float, 4> border_texel(const glm::vec4& c, BaseFormat format, bool depth, bool compares) {
   if (compares) return {c.x, c.x, c.x, c.x};
   switch (format) {
-    case BaseFormat::alpha: return {0, 0, 0, c.w};
+    case BaseFormat::alpha: return {0, 0, 0, depth ? c.x : c.w};
     case BaseFormat::luminance: return {c.x, c.x, c.x, 1};
     case BaseFormat::luminance_alpha: return {c.x, c.x, c.x, c.w};
     case BaseFormat::intensity:
@@ -66,7 +66,7 @@ void prepare_unit(const TextureUnitState& state, PreparedUnit& out) {
   out.format = first.format;
   out.srgb = first.srgb;
   out.base_format = texture_base_format(state);
-  out.border = border_texel(state.sampler.border_color, out.base_format, state.sampler.compares);
+  out.border = border_texel(state.sampler.border_color, out.base_format, first.base_format == BaseFormat::depth, state.sampler.compares);
   out.kernel = {level_kernel(out, TexelFilter::nearest), level_kernel(out, TexelFilter::linear)};
   const SampleFunction fixed = fixed_sample_function(out);
   out.sample = fixed != nullptr ? fixed : sample_function(out);
