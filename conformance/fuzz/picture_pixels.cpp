@@ -12,13 +12,17 @@ std::array<GLubyte, 2048> noise(Brush& b) {
   return bytes;
 }
 
+/// Unlit: depths that Mesa draws have the current colour.
 void position(Brush& b) {
+  const bool lit = b.gl.IsEnabled(GL_LIGHTING) == GL_TRUE;
+  b.gl.Disable(GL_LIGHTING);
   b.gl.Color4fv(b.color().v);
   if (b.chance(2)) {
-    b.gl.WindowPos2i(b.below(40), b.below(40));
+    in_order(b.gl.WindowPos2i, std::tuple{b.below(40), b.below(40)});
   } else {
-    b.gl.RasterPos3f(b.range(-0.9f, 0.7f), b.range(-0.9f, 0.7f), b.range(-0.9f, 0.9f));
+    in_order(b.gl.RasterPos3f, std::tuple{b.range(-0.9f, 0.7f), b.range(-0.9f, 0.7f), b.range(-0.9f, 0.9f)});
   }
+  if (lit) b.gl.Enable(GL_LIGHTING);
 }
 
 void draw_pixels(Brush& b) {
@@ -34,7 +38,7 @@ void draw_stencil_or_depth(Brush& b) {
   position(b);
   b.gl.Enable(GL_DEPTH_TEST);
   b.gl.DepthFunc(GL_ALWAYS);
-  b.gl.DrawPixels(14, 11, b.one_of({GL_STENCIL_INDEX, GL_DEPTH_COMPONENT}), b.one_of({GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT}), bytes.data());
+  in_order(b.gl.DrawPixels, std::tuple{14, 11, b.one_of({GL_STENCIL_INDEX, GL_DEPTH_COMPONENT}), b.one_of({GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT}), bytes.data()});
   b.gl.DepthFunc(GL_LESS);
 }
 
@@ -60,7 +64,7 @@ void bitmap(Brush& b) {
 void copy_pixels(Brush& b) {
   b.gl.Rectf(-0.9f, -0.9f, -0.2f, -0.3f);
   position(b);
-  b.gl.CopyPixels(b.below(20), b.below(20), 16, 13, b.one_of({GL_COLOR, GL_COLOR, GL_DEPTH, GL_STENCIL}));
+  in_order(b.gl.CopyPixels, std::tuple{b.below(20), b.below(20), 16, 13, b.one_of({GL_COLOR, GL_COLOR, GL_DEPTH, GL_STENCIL})});
 }
 
 /// By whole numbers: for others it matters that Mesa rounds the raster position.
@@ -94,19 +98,21 @@ void copied_texture(Brush& b) {
   b.gl.Rectf(-0.8f, -0.6f, 0.3f, 0.5f);
   b.gl.BindTexture(GL_TEXTURE_2D, 10);
   b.gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  // Other formats with pixel transfer are uninitialized memory in Mesa.
-  b.gl.CopyTexImage2D(GL_TEXTURE_2D, 0, b.one_of({GL_RGBA, GL_RGB}), b.below(30), b.below(30), 16, 16, 0);
-  if (b.chance(2)) b.gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 3, 4, b.below(30), b.below(30), 9, 8);
+  b.gl.PushAttrib(GL_PIXEL_MODE_BIT);
+  initial_pixel_transfer(b.gl);  // Mesa transfers the first row alone
+  in_order(b.gl.CopyTexImage2D, std::tuple{GL_TEXTURE_2D, 0, b.one_of({GL_RGBA, GL_RGB, GL_LUMINANCE, GL_ALPHA, GL_INTENSITY}), b.below(30), b.below(30), 16, 16, 0});
+  if (b.chance(2)) in_order(b.gl.CopyTexSubImage2D, std::tuple{GL_TEXTURE_2D, 0, 3, 4, b.below(30), b.below(30), 9, 8});
+  b.gl.PopAttrib();
   b.gl.Enable(GL_TEXTURE_2D);
 }
 
 void accumulation(Brush& b) {
   // Sums are at most 1: Mesa's wrap around beyond.
-  b.gl.ClearAccum(0.25f * b.level(), 0.25f * b.level(), 0.25f * b.level(), 0.25f * b.level());
+  in_order(b.gl.ClearAccum, std::tuple{0.25f * b.level(), 0.25f * b.level(), 0.25f * b.level(), 0.25f * b.level()});
   b.gl.Clear(GL_ACCUM_BUFFER_BIT);
   b.gl.Rectf(-0.6f, -0.8f, 0.5f, 0.9f);
   b.gl.Accum(b.one_of({GL_LOAD, GL_ACCUM}), 0.5f);
-  b.gl.Accum(b.one_of({GL_ADD, GL_MULT}), 0.25f * b.level());
+  in_order(b.gl.Accum, std::tuple{b.one_of({GL_ADD, GL_MULT}), 0.25f * b.level()});
   b.gl.Accum(GL_RETURN, b.level());
 }
 
@@ -123,15 +129,16 @@ void rendered_texture(Brush& b) {
   gl.Disable(GL_POLYGON_STIPPLE);  // Mesa's lies elsewhere in framebuffer objects
   gl.Clear(GL_COLOR_BUFFER_BIT);
   gl.Color4fv(b.color().v);
-  gl.Rectf(b.range(-0.9f, 0.0f), -0.7f, 0.8f, b.range(0.0f, 0.9f));
+  in_order(gl.Rectf, std::tuple{b.range(-0.9f, 0.0f), -0.7f, 0.8f, b.range(0.0f, 0.9f)});
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  if (b.chance(2)) gl.BlitFramebuffer(0, 0, 32, 32, b.below(20), b.below(20), 30 + b.below(30), 30 + b.below(30), GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  if (b.chance(2)) in_order(gl.BlitFramebuffer, std::tuple{0, 0, 32, 32, b.below(20), b.below(20), 30 + b.below(30), 30 + b.below(30), GL_COLOR_BUFFER_BIT, GL_NEAREST});
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Enable(GL_TEXTURE_2D);
 }
 
 constexpr Feature features[] = {
+    {"accumulation", accumulation},
     {"pixel_zoom", zoom},
     {"pixel_transfer", transfer},
     {"pixel_storage", storage},
@@ -141,7 +148,6 @@ constexpr Feature features[] = {
     {"bitmap", bitmap},
     {"copy_pixels", copy_pixels},
     {"copied_texture", copied_texture},
-    {"accumulation", accumulation},
     {"rendered_texture", rendered_texture},
 };
 

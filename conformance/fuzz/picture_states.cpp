@@ -7,9 +7,9 @@ namespace gouraud::conformance {
 namespace {
 
 void model_view(Brush& b) {
-  if (b.chance(3)) b.gl.Translatef(b.range(-0.4f, 0.4f), b.range(-0.4f, 0.4f), b.range(-0.2f, 0.2f));
-  b.gl.Rotatef(b.range(-180.0f, 180.0f), b.range(-1.0f, 1.0f), b.range(-1.0f, 1.0f), b.range(0.1f, 1.0f));
-  if (b.chance(2)) b.gl.Scalef(b.range(0.4f, 1.3f), b.range(0.4f, 1.3f), b.range(0.4f, 1.0f));
+  if (b.chance(3)) in_order(b.gl.Translatef, std::tuple{b.range(-0.4f, 0.4f), b.range(-0.4f, 0.4f), b.range(-0.2f, 0.2f)});
+  in_order(b.gl.Rotatef, std::tuple{b.range(-180.0f, 180.0f), b.range(-1.0f, 1.0f), b.range(-1.0f, 1.0f), b.range(0.1f, 1.0f)});
+  if (b.chance(2)) in_order(b.gl.Scalef, std::tuple{b.range(0.4f, 1.3f), b.range(0.4f, 1.3f), b.range(0.4f, 1.0f)});
 }
 
 void perspective(Brush& b) {
@@ -21,8 +21,8 @@ void perspective(Brush& b) {
 }
 
 void viewport(Brush& b) {
-  b.gl.Viewport(b.below(30) - 10, b.below(30) - 10, 20 + b.below(60), 20 + b.below(60));
-  b.gl.DepthRange(b.level(), b.level());
+  in_order(b.gl.Viewport, std::tuple{b.below(30) - 10, b.below(30) - 10, 20 + b.below(60), 20 + b.below(60)});
+  in_order(b.gl.DepthRange, std::tuple{b.level(), b.level()});
 }
 
 void material_of(Brush& b, GLenum face) {
@@ -89,8 +89,12 @@ void clip_planes(Brush& b) {
 }
 
 void polygon_mode(Brush& b) {
-  b.gl.Scalef(0.8f, 0.8f, 1.0f);  // inside the window: Mesa draws no edges along its sides
-  b.gl.PolygonMode(b.one_of({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}), b.one_of({GL_POINT, GL_LINE}));
+  // All inside the window: Mesa draws no edges along its sides.
+  b.gl.MatrixMode(GL_PROJECTION);
+  b.gl.LoadIdentity();
+  b.gl.MatrixMode(GL_MODELVIEW);
+  b.gl.Scalef(0.8f, 0.8f, 1.0f);
+  in_order(b.gl.PolygonMode, std::tuple{b.one_of({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}), b.one_of({GL_POINT, GL_LINE})});
 }
 
 void culling(Brush& b) {
@@ -112,7 +116,7 @@ void polygon_stipple(Brush& b) {
 
 void polygon_offset(Brush& b) {
   b.gl.Enable(GL_POLYGON_OFFSET_FILL);
-  b.gl.PolygonOffset(b.range(-0.2f, 0.2f), b.range(-50.0f, 50.0f));
+  in_order(b.gl.PolygonOffset, std::tuple{b.range(-0.2f, 0.2f), b.range(-50.0f, 50.0f)});
 }
 
 void line_width(Brush& b) { b.gl.LineWidth(b.range(1.0f, 6.0f)); }
@@ -128,7 +132,7 @@ void point_size(Brush& b) {
 
 void alpha_test(Brush& b) {
   b.gl.Enable(GL_ALPHA_TEST);
-  b.gl.AlphaFunc(b.comparison(), b.range(0.1f, 0.9f));
+  in_order(b.gl.AlphaFunc, std::tuple{b.comparison(), b.range(0.1f, 0.9f)});
 }
 
 void stencil(Brush& b) {
@@ -158,7 +162,7 @@ GLenum blend_factor(Brush& b) {
 void blending(Brush& b) {
   const GlTable& gl = b.gl;
   gl.Enable(GL_BLEND);
-  gl.BlendColor(b.level(), b.level(), b.level(), b.level());
+  in_order(gl.BlendColor, std::tuple{b.level(), b.level(), b.level(), b.level()});
   const GLenum source = b.chance(6) ? GL_SRC_ALPHA_SATURATE : blend_factor(b), destination = blend_factor(b);
   if (b.chance(3)) {
     const GLenum source_alpha = blend_factor(b), destination_alpha = blend_factor(b);
@@ -182,13 +186,13 @@ void color_mask(Brush& b) {
 
 void scissor(Brush& b) {
   b.gl.Enable(GL_SCISSOR_TEST);
-  b.gl.Scissor(b.below(30), b.below(30), 10 + b.below(50), 10 + b.below(50));
+  in_order(b.gl.Scissor, std::tuple{b.below(30), b.below(30), 10 + b.below(50), 10 + b.below(50)});
 }
 
 void multisample_state(Brush& b) {
   b.gl.Disable(GL_MULTISAMPLE);
   b.gl.Enable(b.one_of({GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE}));
-  b.gl.SampleCoverage(b.level(), static_cast<GLboolean>(b.below(2)));
+  in_order(b.gl.SampleCoverage, std::tuple{b.level(), static_cast<GLboolean>(b.below(2))});
 }
 
 void pushed_attributes(Brush& b) {

@@ -102,7 +102,9 @@ void texture_3d(Brush& b) {
 void texture_cube(Brush& b) {
   b.gl.BindTexture(GL_TEXTURE_CUBE_MAP, 4);
   parameters(b, GL_TEXTURE_CUBE_MAP);
+  // Mesa's linear filters differ from each other at seams.
   b.gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+  b.gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   const GLenum stored = internal_format(b);
   for (GLenum face = 0; face < 6; ++face) {
     b.gl.TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, static_cast<GLint>(stored), 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, cells(b, 8, 8).data());
@@ -171,7 +173,7 @@ void generated(Brush& b) {
 void texture_matrix(Brush& b) {
   b.gl.MatrixMode(GL_TEXTURE);
   b.gl.Rotatef(b.range(-90.0f, 90.0f), 0.0f, 0.0f, 1.0f);
-  b.gl.Scalef(b.range(0.4f, 2.0f), b.range(0.4f, 2.0f), 1.0f);
+  in_order(b.gl.Scalef, std::tuple{b.range(0.4f, 2.0f), b.range(0.4f, 2.0f), 1.0f});
   b.gl.MatrixMode(GL_MODELVIEW);
 }
 

@@ -14,13 +14,13 @@ Random sequence(std::uint32_t seed, std::uint32_t purpose) {
 
 constexpr std::uint32_t choosing = 1000, background = 1001, primitives = 1002;
 
-void initial_pixel_state(const GlTable& gl) {
+}  // namespace
+
+void initial_pixel_transfer(const GlTable& gl) {
   for (const GLenum name : {GL_RED_SCALE, GL_GREEN_SCALE, GL_BLUE_SCALE, GL_ALPHA_SCALE}) gl.PixelTransferf(name, 1.0f);
   for (const GLenum name : {GL_RED_BIAS, GL_GREEN_BIAS, GL_BLUE_BIAS, GL_ALPHA_BIAS}) gl.PixelTransferf(name, 0.0f);
   gl.PixelTransferi(GL_MAP_COLOR, GL_FALSE);
 }
-
-}  // namespace
 
 const std::vector<Feature>& all_features() {
   static const std::vector<Feature> features = [] {
@@ -53,7 +53,7 @@ void draw_picture(const GlTable& gl, std::uint32_t seed, std::uint64_t features)
   }
   Brush brush(gl, sequence(seed, primitives));
   draw_primitives(brush);
-  initial_pixel_state(gl);
+  initial_pixel_transfer(gl);
 }
 
 }  // namespace gouraud::conformance

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <span>
+#include <tuple>
 #include <vector>
 
 #include "conformance/scenes/shapes.h"
@@ -46,6 +47,12 @@ class Brush {
   }
 };
 
+/// Calls a command with arguments from a braced tuple: they are drawn in order with every compiler.
+template <class... Parameters, class... Arguments>
+void in_order(void (*command)(Parameters...), const std::tuple<Arguments...>& arguments) {
+  std::apply([command](const auto&... argument) { command(static_cast<Parameters>(argument)...); }, arguments);
+}
+
 /// What a picture may have beside its primitives. `prepare` comes before them.
 struct Feature {
   const char* name;
@@ -57,6 +64,9 @@ struct Feature {
 std::span<const Feature> state_features();
 std::span<const Feature> pixel_features();
 std::span<const Feature> fragment_color_features();
+
+/// Scales of 1, no biases, no maps.
+void initial_pixel_transfer(const GlTable& gl);
 
 /// Draws a few primitives, by Begin and End, arrays, buffers, lists or evaluators.
 void draw_primitives(Brush& brush);
