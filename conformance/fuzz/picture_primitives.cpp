@@ -180,7 +180,7 @@ class Primitives {
     gl_.MapGrid2f(4, 0.0f, 1.0f, 3, 0.0f, 1.0f);
     gl_.EvalMesh2(b_.chance(4) ? GL_LINE : GL_FILL, 0, 4, 0, 3);
     gl_.PopAttrib();
-    // Mesa's evaluators leave their values behind as the current ones [GL1.5 §5.1: they do not].
+    // Mesa's evaluators leave their values behind as the current ones, against the specification [GL1.5 §5.1].
     gl_.Color4f(1.0f, 1.0f, 1.0f, 1.0f);
     gl_.Normal3f(0.0f, 0.0f, 1.0f);
     gl_.TexCoord4f(0.0f, 0.0f, 0.0f, 1.0f);
