@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "pipeline/draw/small_triangles.h"
+
 namespace gouraud::pipeline {
 namespace {
 
@@ -109,6 +111,19 @@ TEST(Plan, RunsThePassesThatNeedNoColorsEarly) {
   state.raster.alpha_test.enabled = false;
   const FragmentPasses passes = make_plan(state, window).fragment;
   EXPECT_EQ(passes.early, passes.count);
+}
+
+TEST(Plan, OpensTheRoadOfSmallTrianglesToADepthTestAlone) {
+  DrawState state = unlit();
+  const auto road = [&] { return make_plan(state, window).fragment.small_triangles; };
+  EXPECT_EQ(road(), nullptr);
+  state.raster.depth = {true, true, CompareFunc::less};
+  EXPECT_EQ(road(), small_triangle_test(CompareFunc::less, window.depth));
+  state.polygons.offset_fill = true;
+  EXPECT_EQ(road(), nullptr);
+  state.polygons.offset_fill = false;
+  state.raster.counts_samples = true;
+  EXPECT_EQ(road(), nullptr);
 }
 
 TEST(Plan, BlendsBetweenInterpolationAndWrite) {

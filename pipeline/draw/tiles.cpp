@@ -349,9 +349,14 @@ class TileBins::LookAhead {
 /// is. Among themselves the blocks keep their order in both halves.
 void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const TileTarget& pixels, GroupRasterizer rasterize) {
   if (group.count == 0) return;
-  set_up_depths(group);
   std::array<SeenBlock, most_seen_blocks> seen;
-  const std::size_t count = rasterize(group, x, y, pixels, seen.data());
+  std::size_t count = 0;
+  if (group.all_small) {
+    count = group.state->binding->passes.small_triangles(group, x, y, pixels, seen.data());
+  } else {
+    set_up_depths(group);
+    count = rasterize(group, x, y, pixels, seen.data());
+  }
   std::uint32_t seen_triangles = 0;
   for (const SeenBlock& found : std::span(seen).first(count)) seen_triangles |= 1u << found.primitive;
   if (seen_triangles != 0) set_up_colors(group, seen_triangles);
@@ -373,13 +378,18 @@ std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t
   const SetupState& state = *entries[0].state;
   alignas(64) std::array<std::byte, group_capacity * largest_record> records;
   TriangleGroup group(state, records.data());
+  const bool has_road = state.binding->passes.small_triangles != nullptr;
   std::size_t done = 0, ahead = 0;
   for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state; ++done) {
     if (ahead >= static_cast<std::size_t>(prefetch_near_distance)) break;  // let what comes next be fetched
     const Entry& run = entries[done];
     const auto* first = static_cast<const std::byte*>(run.what);
     for (std::size_t i = 0; i < static_cast<std::size_t>(run.count); ++i) {
-      group.add(*reinterpret_cast<const WaitingTriangle*>(first + i * run.bytes));
+      const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(first + i * run.bytes);
+      const bool small = has_road && triangle.small();
+      if (small != group.all_small) run_group(group, x, y, pixels, rasterize);
+      group.all_small = small;
+      group.add(triangle);
       if (group.count == group_capacity) run_group(group, x, y, pixels, rasterize);
     }
     ahead += static_cast<std::size_t>(run.count);

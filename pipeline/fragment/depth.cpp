@@ -16,15 +16,12 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/depth_formats-inl.h"
 #include "pipeline/fragment/image_colors-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
-
-HWY_INLINE double plane_at(const DepthPlane& plane, std::int32_t x, std::int32_t y) {
-  return (plane.origin + plane.dx * x) + plane.dy * y;
-}
 
 /// Depths of a block in buffer units, row pair by row pair: an integer plus a float offset from it.
 class SteppedDepth {
@@ -79,47 +76,9 @@ class ExactDepth {
   alignas(64) Value value_[64];
 };
 
-/// How depth lies in memory: load and store of one vector of stored values, beside whatever shares their words.
-struct Z24S8 {
-  using Tag = IntTag;
-  using Exact = ExactDepth<std::int32_t, IntTag>;
-  static constexpr std::int32_t depth_bits = 0xFFFFFF;
-  using Word = std::int32_t;
-  static HWY_INLINE IntVector load(const Word* p) { return hn::Load(IntTag(), p); }
-  static HWY_INLINE IntVector depth(IntVector stored) { return hn::And(stored, hn::Set(IntTag(), depth_bits)); }
-  static HWY_INLINE IntVector merge(IntVector stored, IntVector z) {
-    return hn::Or(hn::AndNot(hn::Set(IntTag(), depth_bits), stored), z);
-  }
-  static HWY_INLINE void store(IntVector v, Word* p) { hn::Store(v, IntTag(), p); }
-};
-struct Z16 {
-  using Tag = IntTag;
-  using Exact = ExactDepth<std::int32_t, IntTag>;
-  using Word = std::uint16_t;
-  using Tag16 = hn::Rebind<std::uint16_t, IntTag>;
-  static HWY_INLINE IntVector load(const Word* p) { return hn::PromoteTo(IntTag(), hn::Load(Tag16(), p)); }
-  static HWY_INLINE IntVector depth(IntVector stored) { return stored; }
-  static HWY_INLINE IntVector merge(IntVector, IntVector z) { return z; }
-  static HWY_INLINE void store(IntVector v, Word* p) { hn::Store(hn::DemoteTo(Tag16(), v), Tag16(), p); }
-};
-struct Z32F {
-  using Tag = FloatTag;
-  using Exact = ExactDepth<float, FloatTag>;
-  using Word = float;
-  static HWY_INLINE FloatVector load(const Word* p) { return hn::Load(FloatTag(), p); }
-  static HWY_INLINE FloatVector depth(FloatVector stored) { return stored; }
-  static HWY_INLINE FloatVector merge(FloatVector, FloatVector z) { return z; }
-  static HWY_INLINE void store(FloatVector v, Word* p) { hn::Store(v, FloatTag(), p); }
-};
-
-/// The incoming depth z against the stored one [GL1.5 §4.1.6].
-struct Less { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Lt(z, stored); } };
-struct Lequal { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Not(hn::Lt(stored, z)); } };
-struct Greater { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Gt(z, stored); } };
-struct Gequal { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Not(hn::Lt(z, stored)); } };
-struct Equal { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Eq(z, stored); } };
-struct Notequal { template <class V> static HWY_INLINE auto test(V z, V stored) { return hn::Ne(z, stored); } };
-struct Always { template <class V> static HWY_INLINE auto test(V z, V) { return hn::Eq(z, z); } };
+/// Where a plane is too steep for float steps, or depths come from an image.
+template <class Format>
+using ExactDepthOf = ExactDepth<typename Format::Depth, typename Format::Tag>;
 
 template <class Format, class Func, class Depth, bool whole_block>
 HWY_INLINE std::uint64_t test_lanes(const FragmentBlock& block, const TileTarget& target) {
@@ -160,7 +119,7 @@ void depth_test(FragmentBlock& block, const TileTarget& target) {
       return;
     }
   }
-  block.coverage = test_lanes<Format, Func, typename Format::Exact, false>(block, target);
+  block.coverage = test_lanes<Format, Func, ExactDepthOf<Format>, false>(block, target);
 }
 
 /// `never`: where the stencil buffer learns of it.

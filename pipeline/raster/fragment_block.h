@@ -47,6 +47,13 @@ struct FragmentBlock {
 
 using FragmentPass = void (*)(FragmentBlock& block, const TileTarget& target);
 
+struct TriangleGroup;  // triangles.h
+struct SeenBlock;      // polygons.h
+/// Coverage and early passes of a group of small triangles at once (draw/small_triangles.h): lists the blocks that they leave
+/// in order and returns their number. The triangles of these have their records begun.
+using SmallTriangleTest = std::size_t (*)(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target,
+                                          SeenBlock* seen);
+
 /// The fragment passes of a plan, in order. A block that has lost all its fragments goes no further.
 struct FragmentPasses {
   static constexpr int max_passes = 16;
@@ -57,6 +64,8 @@ struct FragmentPasses {
   std::int32_t early = 0;
   /// The depth test that the stencil pass runs, where there is one of both.
   FragmentPass depth_in_stencil = nullptr;
+  /// Where the early passes are a depth test and nothing else; null: small triangles go the way of all.
+  SmallTriangleTest small_triangles = nullptr;
 
   void add(FragmentPass next) { pass[static_cast<std::size_t>(count++)] = next; }
   bool operator==(const FragmentPasses&) const = default;

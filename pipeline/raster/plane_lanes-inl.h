@@ -71,27 +71,34 @@ template <class Part>
 HWY_INLINE FloatQuad load_vertices(const RecordGroup& group, std::size_t first, std::size_t i, Part KeptVertex::*part) {
   static_assert(sizeof(Part) == 4 * sizeof(float));
   const KeptVertex* const* const vertices = group.vertex[i].data() + first;
-  alignas(64) float floats[4 * max_lanes];
-  for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) std::memcpy(floats + 4 * lane, &(vertices[lane]->*part), sizeof(Part));
-  return load_floats(floats);
+  return load_quads(F(), [&](std::size_t lane) HWY_ATTR { return reinterpret_cast<const float*>(&(vertices[lane]->*part)); });
+}
+
+/// The plane of depth, in buffer units, and the range of the vertices.
+struct DepthLanes {
+  PlaneLanes plane;
+  hn::Vec<F> minimum, maximum;
+  std::uint64_t steep;
+};
+HWY_INLINE DepthLanes depth_of(const Basis& basis, const V (&window_z)[3], const PlaneTargets& targets) {
+  V z[3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    z[i] = hn::Mul(hn::Min(hn::Max(window_z[i], hn::Zero(D())), set(1)), set(targets.depth_scale));
+  }
+  const PlaneLanes plane = make_plane(basis, z[0], hn::Sub(z[1], z[0]), hn::Sub(z[2], z[0]));
+  return {plane, hn::DemoteTo(F(), least(z[0], z[1], z[2])), hn::DemoteTo(F(), most(z[0], z[1], z[2])),
+          bits_of(hn::Gt(slope(plane), set(steep_slope(targets))))};
 }
 
 HWY_INLINE void set_up_depth(const Basis& basis, const V (&window_z)[3], const RecordGroup& group, std::size_t first,
                              std::size_t count) {
   const D d;
-  const SetupState& state = *group.state;
-  V z[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    z[i] = hn::Mul(hn::Min(hn::Max(window_z[i], hn::Zero(d)), set(1)), set(state.targets.depth_scale));
-  }
-  const PlaneLanes plane = make_plane(basis, z[0], hn::Sub(z[1], z[0]), hn::Sub(z[2], z[0]));
-  const std::uint64_t steep = bits_of(hn::Gt(slope(plane), set(steep_slope(state.targets))));
+  const DepthLanes depth_lanes = depth_of(basis, window_z, group.state->targets);
+  const PlaneLanes& plane = depth_lanes.plane;
   // Both ends of the range are floats: together they are as long as a double.
   const hn::RebindToUnsigned<D> bits;
-  const auto word = [&](V value) HWY_ATTR {
-    return hn::PromoteTo(bits, hn::BitCast(hn::RebindToUnsigned<F>(), hn::DemoteTo(F(), value)));
-  };
-  const V range = hn::BitCast(d, hn::Or(word(least(z[0], z[1], z[2])), hn::ShiftLeft<32>(word(most(z[0], z[1], z[2])))));
+  const auto word = [&](hn::Vec<F> value) HWY_ATTR { return hn::PromoteTo(bits, hn::BitCast(hn::RebindToUnsigned<F>(), value)); };
+  const V range = hn::BitCast(d, hn::Or(word(depth_lanes.minimum), hn::ShiftLeft<32>(word(depth_lanes.maximum))));
   DoubleRows rows;
   transpose(plane.origin, plane.dx, plane.dy, range, rows);
   static_assert(offsetof(DepthPlane, dx) == 8 && offsetof(DepthPlane, dy) == 16 && offsetof(DepthPlane, minimum) == 24 &&
@@ -99,7 +106,7 @@ HWY_INLINE void set_up_depth(const Basis& basis, const V (&window_z)[3], const R
   for (std::size_t lane = 0; lane < count; ++lane) {
     DepthPlane& depth = group.record(first + lane).depth;
     std::memcpy(static_cast<void*>(&depth), rows.row[lane], sizeof rows.row[lane]);
-    depth.steep = (steep >> lane & 1) != 0;
+    depth.steep = (depth_lanes.steep >> lane & 1) != 0;
   }
 }
 

@@ -22,6 +22,7 @@ struct SeenBlock {
   std::uint64_t coverage;
   std::int32_t x, y, first_pixel;  ///< as in FragmentBlock
   std::int32_t primitive;          ///< counted in its group
+  bool operator==(const SeenBlock&) const = default;
 };
 struct TriangleGroup;  // pipeline/raster/triangles.h
 /// Most blocks of a group in a tile.

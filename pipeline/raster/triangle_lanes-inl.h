@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 #include "pipeline/raster/primitive.h"
 
@@ -51,9 +52,31 @@ HWY_INLINE hn::Mask<I> int_mask(std::uint64_t bits) { return hn::LoadMaskBits(I(
 struct FloatQuad {
   hn::Vec<F> x, y, z, w;
 };
-HWY_INLINE FloatQuad load_floats(const float* floats) {
+/// `at(lane)` is where the struct of that lane lies. Transposed in registers where they are wide enough: what is stored in
+/// pieces and loaded as a whole makes a processor wait.
+template <class Tag, class At>
+HWY_INLINE FloatQuad load_quads(Tag f, At at) {
   FloatQuad q;
-  hn::LoadInterleaved4(F(), floats, q.x, q.y, q.z, q.w);
+  constexpr std::size_t lanes = hn::MaxLanes(Tag());
+#if HWY_TARGET != HWY_SCALAR
+  if constexpr (lanes >= 4) {
+    hn::Vec<Tag> v[4];
+    for (std::size_t i = 0; i < 4; ++i) {
+      if constexpr (lanes == 4) v[i] = hn::LoadU(f, at(i));
+      else v[i] = hn::Combine(f, hn::LoadU(hn::Half<Tag>(), at(i + 4)), hn::LoadU(hn::Half<Tag>(), at(i)));
+    }
+    const auto xy_even = hn::InterleaveLower(f, v[0], v[2]), xy_odd = hn::InterleaveLower(f, v[1], v[3]);
+    const auto zw_even = hn::InterleaveUpper(f, v[0], v[2]), zw_odd = hn::InterleaveUpper(f, v[1], v[3]);
+    q.x = hn::InterleaveLower(f, xy_even, xy_odd);
+    q.y = hn::InterleaveUpper(f, xy_even, xy_odd);
+    q.z = hn::InterleaveLower(f, zw_even, zw_odd);
+    q.w = hn::InterleaveUpper(f, zw_even, zw_odd);
+    return q;
+  }
+#endif
+  alignas(64) float floats[4 * lanes];
+  for (std::size_t lane = 0; lane < lanes; ++lane) std::memcpy(floats + 4 * lane, at(lane), 4 * sizeof(float));
+  hn::LoadInterleaved4(f, floats, q.x, q.y, q.z, q.w);
   return q;
 }
 
@@ -65,8 +88,8 @@ HWY_INLINE IV snap(hn::Vec<F> coordinate) {
   const F f;
   return hn::NearestInt(hn::Mul(hn::Sub(coordinate, hn::Set(f, 0.5f)), hn::Set(f, static_cast<float>(subpixels))));
 }
-HWY_INLINE SnappedCorner snap_corner(const FloatQuad& window, std::int32_t target_height_px) {
-  return {snap(window.x), hn::Sub(set_int((target_height_px - 1) * subpixels), snap(window.y))};
+HWY_INLINE SnappedCorner snap_corner(hn::Vec<F> x, hn::Vec<F> y_raster, std::int32_t target_height_px) {
+  return {snap(x), hn::Sub(set_int((target_height_px - 1) * subpixels), snap(y_raster))};
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE

@@ -164,15 +164,13 @@ HWY_INLINE void keep_own_vertices(const SetupState& state, const ProcessedVertic
 /// Selects among at most max_lanes triangles.
 HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
                                     std::size_t count, const SharedVertices& shared, std::byte* out) {
-  alignas(64) float window[3][4 * max_lanes];
-  for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane) {
-    const AssembledTriangle& triangle = triangles[HWY_MIN(lane, count - 1)];
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::memcpy(window[i] + 4 * lane, &vertices.window[triangle.vertex[i]], sizeof(WindowVertex));
-    }
-  }
   SnappedTriangles p;
-  for (std::size_t i = 0; i < 3; ++i) p.corner[i] = snap_corner(load_floats(window[i]), state.target_height_px);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const FloatQuad window = load_quads(F(), [&](std::size_t lane) HWY_ATTR {
+      return &vertices.window[triangles[HWY_MIN(lane, count - 1)].vertex[i]].x;
+    });
+    p.corner[i] = snap_corner(window.x, window.y, state.target_height_px);
+  }
   Selection selection;
   select(state, p, selection);
 

@@ -17,7 +17,7 @@
 
 #include <hwy/highway.h>
 
-#include "pipeline/raster/plane_lanes-inl.h"
+#include "pipeline/raster/triangle_basis-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
@@ -58,17 +58,9 @@ HWY_INLINE void offset_depth(const SetupState& state, DepthPlane& depth) {
 
 /// Begins the records of `count` lanes from the first on. The box counts where there are edges.
 HWY_INLINE void begin_records(const TriangleGroup& group, std::size_t first, std::size_t count) {
-  const SetupState& state = *group.state;
-  PrimitiveRecord blank;
-  blank.binding = state.binding;
-  blank.is_polygon = true;
   for (std::size_t i = first; i < first + count; ++i) {
-    std::byte* const memory = group.records + i * group.record_bytes;
-    auto& record = *new (memory) PrimitiveRecord(blank);
-    if (state.colors) new (memory + offsetof(ColoredPrimitive, color)) ColorRecord;
+    PrimitiveRecord& record = begin_record(group, i);
     const WaitingTriangle& triangle = *group.triangle[i];
-    record.scissored = triangle.scissored;
-    record.back = triangle.back;
     if (triangle.small() && !group.edges_of_all) continue;
     record.x0 = triangle.x0;
     record.y0 = triangle.y0;
@@ -84,48 +76,18 @@ HWY_INLINE void set_up_depths_of_lanes(TriangleGroup& group, std::size_t first) 
   const std::size_t count = HWY_MIN(hn::Lanes(d), group.count - first);
   begin_records(group, first, count);
 
-  FloatQuad window[3];
-  Quad corners[3];
-  V x[3], y[3];
-  for (std::size_t i = 0; i < 3; ++i) {
-    window[i] = load_vertices(group, first, i, &KeptVertex::window);
-    corners[i] = widened(window[i]);
-    x[i] = corners[i].x;
-    y[i] = hn::Sub(set(state.target_height_px), corners[i].y);
-    hn::Store(corners[i].w, d, group.inverse_w[i] + first);
-  }
-  const auto area_of = [&]() HWY_ATTR {
-    return hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])), hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[1], y[0])));
-  };
-  V area = area_of();
-
-  // Snapped positions, where they are needed: for edges, and where the unsnapped triangle has no area. Its plane is not
-  // defined then; the snapped one's stands in.
+  const Corners corners = load_corners(group, first);
   std::uint64_t with_edges = 0;
   for (std::size_t lane = 0; lane < count; ++lane) {
     with_edges |= std::uint64_t{group.edges_of_all || !group.triangle[first + lane]->small()} << lane;
   }
-  const Mask no_area = hn::Eq(area, hn::Zero(d));
-  if (with_edges != 0 || !hn::AllFalse(d, no_area)) {
-    V snapped_x[3], snapped_y[3];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const SnappedCorner corner = snap_corner(window[i], state.target_height_px);
-      snapped_x[i] = hn::PromoteTo(d, corner.x);
-      snapped_y[i] = hn::PromoteTo(d, corner.y);
-      x[i] = hn::IfThenElse(no_area, hn::Add(hn::Mul(snapped_x[i], set(1.0 / subpixels)), set(0.5)), x[i]);
-      y[i] = hn::IfThenElse(no_area, hn::Add(hn::Mul(snapped_y[i], set(1.0 / subpixels)), set(0.5)), y[i]);
-    }
-    area = area_of();
-    set_up_edges(snapped_x, snapped_y, group, first, with_edges);
+  if (with_edges != 0) {
+    const SnappedPlaces snapped = snap_places(corners, state.target_height_px);
+    set_up_edges(snapped.x, snapped.y, group, first, with_edges);
   }
-
-  // The basis of all planes.
-  const V scale = hn::Div(set(1), area);
-  const Basis basis{x[0], y[0], hn::Mul(hn::Sub(y[2], y[0]), scale), hn::Mul(hn::Sub(x[0], x[2]), scale),
-                    hn::Mul(hn::Sub(y[0], y[1]), scale), hn::Mul(hn::Sub(x[1], x[0]), scale)};
-  const V parts[6] = {basis.x0, basis.y0, basis.first_x, basis.first_y, basis.second_x, basis.second_y};
-  for (std::size_t k = 0; k < 6; ++k) hn::Store(parts[k], d, group.basis[k] + first);
-  set_up_depth(basis, {corners[0].z, corners[1].z, corners[2].z}, group, first, count);
+  const Basis basis = basis_of(corners, state.target_height_px);
+  keep_basis(basis, corners, group, first);
+  set_up_depth(basis, corners.z, group, first, count);
   for (std::size_t i = first; i < first + count && state.polygons.offset_fill; ++i) offset_depth(state, group.record(i).depth);
 }
 

@@ -7,7 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <type_traits>
 
 #include "pipeline/geometry/processed_vertices.h"
 #include "pipeline/raster/primitive.h"
@@ -75,7 +77,10 @@ std::size_t select_triangles(const SetupState& state, const ProcessedVertices& v
 
 /// Triangles of one state between the two steps of their setup.
 struct alignas(64) TriangleGroup : RecordGroup {
-  TriangleGroup(const SetupState& s, std::byte* memory) : RecordGroup(s, memory), vertex_bytes(kept_vertex_size(s)) {}
+  TriangleGroup(const SetupState& s, std::byte* memory) : RecordGroup(s, memory), vertex_bytes(kept_vertex_size(s)) {
+    blank.binding = s.binding;
+    blank.is_polygon = true;
+  }
 
   void add(const WaitingTriangle& added) {
     triangle[count] = &added;
@@ -85,11 +90,23 @@ struct alignas(64) TriangleGroup : RecordGroup {
 
   std::size_t vertex_bytes;
   bool edges_of_all = false;  ///< else only of those that are not small
+  bool all_small = false;     ///< goes the road of its plan's small_triangles; its set_up_depths too
+  PrimitiveRecord blank;      ///< what each record begins as
   std::array<const WaitingTriangle*, group_capacity> triangle;
   /// From the first step for the second.
   alignas(64) Lanes basis[6];
   alignas(64) Lanes inverse_w[3];
 };
+
+/// Begins the record of a triangle. Its planes, edges and box are yet to be written.
+inline PrimitiveRecord& begin_record(const TriangleGroup& group, std::size_t i) {
+  static_assert(std::is_trivially_copyable_v<PrimitiveRecord>);
+  PrimitiveRecord& record = group.record(i);
+  std::memcpy(static_cast<void*>(&record), &group.blank, sizeof record);
+  record.scissored = group.triangle[i]->scissored;
+  record.back = group.triangle[i]->back;
+  return record;
+}
 
 /// The first step writes the records without colours and varyings.
 void set_up_depths(TriangleGroup& group);

@@ -1,0 +1,122 @@
+// The road of small triangles finds what records, blocks and the depth pass find one by one.
+#include "pipeline/draw/small_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <memory>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/fragment/depth.h"
+#include "pipeline/raster/polygons.h"
+#include "pipeline/raster/triangles.h"
+#include "pipeline/simd/dispatch.h"
+
+namespace gouraud::pipeline {
+namespace {
+
+constexpr int tile_x = 64, tile_y = 128;
+
+/// Small triangles in a tile and over its borders, and the tile's depths.
+struct Tile {
+  Tile(CompareFunc func, DepthFormat format, float depth_range) {
+    binding.state.depth = {true, true, func};
+    binding.passes.add(depth_test_pass(func, format));
+    binding.passes.early = 1;
+    binding.passes.small_triangles = small_triangle_test(func, format);
+    state.binding = &binding;
+    state.scissor = {0, 0, 512, 512};
+    state.target_height_px = 512;
+    state.targets = {format == DepthFormat::z16 ? 65535.0 : 16777215.0, false, 255.0f};
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-4, tile_size + 4), near(-4, 4), unit(0, 1);
+    for (std::size_t i = 0; i < count; ++i) {
+      const float x = tile_x + place(random), y = 512 - tile_y - place(random), z = unit(random);
+      for (std::size_t k = 0; k < 3; ++k) {
+        vertices->window[3 * i + k] = {x + near(random), y + near(random), std::fmod(z + depth_range * unit(random), 1.0f), 1.0f};
+      }
+      const auto first = static_cast<std::uint16_t>(3 * i);
+      const AssembledTriangle triangle{{first, static_cast<std::uint16_t>(first + 1), static_cast<std::uint16_t>(first + 2)}, first, 7};
+      waiting.emplace_back();
+      const bool selected = select_triangles(state, *vertices, {&triangle, 1}, {}, waiting.back().bytes.data()) == 1;
+      if (!selected || !is_here(waiting.back().triangle())) waiting.pop_back();
+    }
+    std::uniform_int_distribution<std::uint32_t> bits;
+    for (std::uint32_t& word : depth) word = bits(random);
+  }
+
+  static bool is_here(const WaitingTriangle& triangle) {
+    return triangle.small() && triangle.x0 < tile_x + tile_size && triangle.x1 > tile_x && triangle.y0 < tile_y + tile_size &&
+           triangle.y1 > tile_y;
+  }
+
+  /// All blocks that are seen, of groups of 8 and then of fewer. `road`: or one by one.
+  std::vector<SeenBlock> draw(bool road) {
+    std::vector<SeenBlock> all;
+    const TileTarget target{nullptr, reinterpret_cast<std::byte*>(depth.data()), nullptr, 0};
+    const auto seen = std::make_unique<std::array<SeenBlock, most_seen_blocks>>();
+    for (std::size_t i = 0, size = group_capacity; i < waiting.size(); i += size, size = size % group_capacity + 1) {
+      TriangleGroup group(state, reinterpret_cast<std::byte*>(records.data()));
+      for (std::size_t k = i; k < std::min(i + size, waiting.size()); ++k) group.add(waiting[k].triangle());
+      std::size_t found = 0;
+      if (road) {
+        found = binding.passes.small_triangles(group, tile_x, tile_y, target, seen->data());
+      } else {
+        set_up_depths(group);
+        found = group_rasterizer()(group, tile_x, tile_y, target, seen->data());
+      }
+      all.insert(all.end(), seen->begin(), seen->begin() + static_cast<std::ptrdiff_t>(found));
+    }
+    return all;
+  }
+
+  static constexpr std::size_t count = 1000;
+  struct alignas(64) Waiting {
+    std::array<std::byte, largest_waiting> bytes;
+    const WaitingTriangle& triangle() const { return *reinterpret_cast<const WaitingTriangle*>(bytes.data()); }
+  };
+  RasterBinding binding;
+  SetupState state;
+  std::unique_ptr<ProcessedVertices> vertices = std::make_unique<ProcessedVertices>();
+  std::vector<Waiting> waiting;
+  alignas(64) std::array<std::uint32_t, tile_size * tile_size> depth;
+  alignas(64) std::array<ColoredPrimitive, group_capacity> records;
+};
+
+void expect_the_same(CompareFunc func, DepthFormat format, float depth_range) {
+  const auto road = std::make_unique<Tile>(func, format, depth_range), one_by_one = std::make_unique<Tile>(func, format, depth_range);
+  if (road->binding.passes.small_triangles == nullptr) return;
+  ASSERT_GT(road->waiting.size(), 600u);
+  const std::vector<SeenBlock> a = road->draw(true), b = one_by_one->draw(false);
+  EXPECT_GT(a.size(), 0u);
+  EXPECT_TRUE(a == b);
+  EXPECT_TRUE(road->depth == one_by_one->depth);
+}
+
+TEST(SmallTriangleRoad, SeesTheSameAsRecordsAndPasses) {
+  for (const auto set : {simd::Target::baseline, simd::Target::sse4, simd::Target::avx2, simd::Target::avx512}) {
+    if (!simd::target_supported(set)) continue;
+    simd::set_target_for_test(set);
+    for (const DepthFormat format : {DepthFormat::z16, DepthFormat::z24s8}) {
+      for (const CompareFunc func : {CompareFunc::less, CompareFunc::gequal, CompareFunc::notequal, CompareFunc::always}) {
+        expect_the_same(func, format, 0.001f);  // flat
+        expect_the_same(func, format, 1.0f);    // most are too steep for steps in float
+      }
+    }
+  }
+  simd::set_target_for_test(std::nullopt);
+}
+
+TEST(SmallTriangleRoad, IsClosedToFloatingPointDepths) {
+  EXPECT_EQ(small_triangle_test(CompareFunc::less, DepthFormat::z32f), nullptr);
+}
+
+}  // namespace
+}  // namespace gouraud::pipeline
