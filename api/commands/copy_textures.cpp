@@ -13,6 +13,7 @@
 #include "api/commands/image_requests.h"
 #include "api/commands/pixel_transfer.h"
 #include "api/commands/texel_upload.h"
+#include "api/commands/target_values.h"
 #include "api/commands/texture_storage.h"
 #include "pipeline/framebuffer/read.h"
 #include "pipeline/texture/texel_rows.h"
@@ -74,19 +75,6 @@ void copy_colors(const Context& context, const Framebuffer& source, const Copy& 
   }
 }
 
-void read_depths(const Framebuffer& source, int x, int y, int count, std::vector<double>& depths) {
-  if (source.depth_format == pipeline::DepthFormat::z32f) {
-    std::vector<float> floats(depths.size());
-    pipeline::read_depth_row_float(source, x, y, count, floats.data());
-    std::copy(floats.begin(), floats.end(), depths.begin());
-    return;
-  }
-  std::vector<std::uint32_t> units(depths.size());
-  pipeline::read_depth_row(source, x, y, count, units.data());
-  const double most = source.depth_format == pipeline::DepthFormat::z24s8 ? 16777215.0 : 65535.0;
-  std::transform(units.begin(), units.end(), depths.begin(), [most](std::uint32_t z) { return z / most; });
-}
-
 void copy_depths(const Context& context, const Framebuffer& source, const Copy& copy, const Image& image, bool stencil) {
   const auto width = static_cast<std::size_t>(copy.width);
   std::vector<double> depths(width);
@@ -94,7 +82,7 @@ void copy_depths(const Context& context, const Framebuffer& source, const Copy& 
   std::vector<std::uint32_t> stencils(stencil ? width : 0);
   std::vector<std::byte> texels(width * static_cast<std::size_t>(pipeline::bytes_per_texel(image.format)));
   for (int y = 0; y < copy.height; ++y) {
-    read_depths(source, copy.x, copy.y + y, copy.width, depths);
+    read_depths(source, copy.x, copy.y + y, copy.width, depths.data());
     if (transfers_depth(context.state.pixel.transfer)) transfer_depth(context.state, depths.data(), width);
     if (stencil) {
       pipeline::read_stencil_row(source, copy.x, copy.y + y, copy.width, bytes.data());

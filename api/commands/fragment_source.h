@@ -6,16 +6,18 @@
 
 namespace gouraud::api {
 
-inline pipeline::FragmentSource fragment_source(const RasterPosition& raster) {
-  return {raster.position_window.z, raster.distance, raster.color, raster.secondary_color, raster.texture_coordinates};
+inline pipeline::FragmentSource fragment_source(const Context& context) {
+  const RasterPosition& raster = context.state.current.raster;
+  const float depth = raster.position_window.z;
+  return {context.draws_reversed_depth() ? 1.0f - depth : depth, raster.distance, raster.color, raster.secondary_color, raster.texture_coordinates};
 }
 
 inline void draw_bitmap(Context& context, const pipeline::Bitmap& bitmap) {
-  context.renderer().draw_bitmap(context.pixel_draw(), fragment_source(context.state.current.raster), bitmap);
+  context.renderer().draw_bitmap(context.pixel_draw(), fragment_source(context), bitmap);
 }
 
 inline void draw_rectangle(Context& context, const pipeline::PixelRectangle& rectangle) {
-  context.renderer().draw_rectangle(context.pixel_draw(), fragment_source(context.state.current.raster), rectangle);
+  context.renderer().draw_rectangle(context.pixel_draw(), fragment_source(context), rectangle);
 }
 
 }  // namespace gouraud::api

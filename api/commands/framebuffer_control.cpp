@@ -60,7 +60,8 @@ void Clear(Context& context, GLbitfield mask) {
       GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT | GL_ACCUM_BUFFER_BIT;
   if ((mask & ~buffers) != 0) return context.record_error(GL_INVALID_VALUE, "glClear", "mask has an unknown bit");
   if (renders_nothing(context) || !context.can_draw("glClear")) return;
-  const pipeline::ClearState clear = clear_state(context.state, context.target_info(), mask);
+  pipeline::ClearState clear = clear_state(context.state, context.target_info(), mask);
+  if (context.draws_reversed_depth()) clear.clear_depth = 1.0 - clear.clear_depth;
   if (clear.scissor.empty() || !(clear.color || clear.depth || clear.stencil || clear.accum)) return;
   context.flush_vertices();
   context.renderer().clear(clear);

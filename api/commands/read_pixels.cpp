@@ -99,6 +99,7 @@ void read_color(const Context& context, const Framebuffer& target, const Transfe
 // Depth as 32-bit fixed point: stored integers repeat their bits downwards, so that all ones stay all ones.
 void read_fixed_row(const Framebuffer& target, int x, int y, int count, std::uint32_t* out) {
   read_depth_row(target, x, y, count, out);
+  if (target.depth_format == DepthFormat::z32) return;
   const bool wide = target.depth_format == DepthFormat::z24s8;
   std::transform(out, out + count, out, [wide](std::uint32_t z) { return wide ? z << 8 | z >> 16 : z << 16 | z; });
 }

@@ -30,7 +30,7 @@ void read_depths(const pipeline::Framebuffer& target, int x, int y, int count, d
   }
   std::vector<std::uint32_t> units(static_cast<std::size_t>(count));
   read_depth_row(target, x, y, count, units.data());
-  const double most = target.depth_format == DepthFormat::z24s8 ? 16777215.0 : 65535.0;
+  const auto most = static_cast<double>((std::uint64_t{1} << pipeline::depth_bits(target.depth_format)) - 1);
   std::transform(units.begin(), units.end(), depths, [most](std::uint32_t z) { return z / most; });
 }
 

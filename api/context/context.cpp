@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "api/gouraud.h"
+#include "pipeline/framebuffer/clear.h"
 
 namespace gouraud {
 namespace api {
@@ -146,14 +147,11 @@ bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat
   }
   flush_vertices();
   try {
-    auto fresh = std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, depth_format(config_),
-                                                         config_.stencil_bits > 0 ? 8 : 0, config_.accum_bits > 0);
-    if (target() == window_.get()) renderer_.set_target(nullptr);
-    window_ = std::move(fresh);
+    install_window(std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, window_depth_format(),
+                                                           config_.stencil_bits > 0 ? 8 : 0, config_.accum_bits > 0));
   } catch (const std::bad_alloc&) {
     return false;
   }
-  update_targets();
   if (!had_window_) {
     state.viewport.width_px = state.scissor.width_px = width_px;
     state.viewport.height_px = state.scissor.height_px = height_px;
@@ -163,14 +161,57 @@ bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat
   return true;
 }
 
+void Context::install_window(std::unique_ptr<pipeline::Framebuffer> fresh) {
+  if (target() == window_.get()) renderer_.set_target(nullptr);
+  window_ = std::move(fresh);
+  update_targets();
+}
+
+pipeline::DepthFormat Context::window_depth_format() const {
+  using Method = pipeline::DepthMethod;
+  const pipeline::DepthFormat visual = depth_format(config_);
+  if (visual == pipeline::DepthFormat::none) return visual;
+  switch (methods_.depth) {
+    case Method::z16:
+      return pipeline::DepthFormat::z16;
+    case Method::z24:
+      return pipeline::DepthFormat::z24s8;
+    case Method::z32:
+      return pipeline::DepthFormat::z32;
+    case Method::z_float:
+    case Method::z_reversed:
+      return pipeline::DepthFormat::z32f;
+    default:
+      return visual;
+  }
+}
+
+// As methods_ say, the colours kept.
+void Context::store_window_depth(bool reversed) {
+  auto fresh = std::make_unique<pipeline::Framebuffer>(*window_);
+  const pipeline::Framebuffer depth(fresh->width_px, fresh->height_px, pipeline::ColorFormat::none, window_depth_format(),
+                                    fresh->stencil_bits, false);
+  fresh->depth_format = depth.depth_format;
+  fresh->depth = depth.depth;
+  fresh->stencil = depth.stencil;
+  pipeline::ClearState clear;
+  clear.depth = true;
+  clear.scissor = {0, 0, fresh->width_px, fresh->height_px};
+  clear.clear_depth = reversed ? 0.0 : 1.0;
+  for (int tile = 0; tile < fresh->tile_count(); ++tile) pipeline::clear_tile(*fresh, tile, clear);
+  install_window(std::move(fresh));
+}
+
 TargetInfo Context::target_info() const {
   const pipeline::Framebuffer* const target = renderer_.target();
   if (target == nullptr) return {};
   const std::uint32_t stencil_mask = target->stencil_bits > 0 ? (1u << target->stencil_bits) - 1u : 0u;
   const bool writes_color = framebuffers.draw->draw_buffer != GL_NONE;
+  pipeline::Methods methods = resolved(methods_, state.hint);
+  if (methods.formats_depth() && target != window_.get()) methods.depth = pipeline::DepthMethod::z;
   return {target->width_px,
           target->height_px,
-          {target->color_format, target->depth_format, resolved(methods_, state.hint)},
+          {target->color_format, target->depth_format, methods},
           stencil_mask,
           writes_color ? target->color_channels : std::uint8_t{0},
           target->samples > 1 ? target->samples : 0,
@@ -180,7 +221,16 @@ TargetInfo Context::target_info() const {
 
 void Context::set_methods(const pipeline::Methods& methods) {
   finish_rendering();
-  methods_ = methods;
+  const pipeline::Methods before = std::exchange(methods_, methods);
+  const bool turned = methods.reverses_depth() != before.reverses_depth();
+  if (window_ != nullptr && (turned || window_->depth_format != window_depth_format())) {
+    try {
+      store_window_depth(methods.reverses_depth());
+    } catch (...) {
+      methods_ = before;
+      throw;
+    }
+  }
   renderer_.set_antialiasing(methods.antialiasing);
   change(dirty_all);
 }
@@ -196,8 +246,9 @@ void Context::refresh() {
   if ((dirty & ~dirty_material) != 0) {
     const TargetInfo target = target_info();
     next_draw_state_.lighting.material = draw_state_.lighting.material;
-    std::uint32_t parts = update_draw_state(state, target, dirty, next_draw_state_);
-    if (target.format.methods != pipeline::Methods{}) {
+    const bool applies_methods = target.format.methods != pipeline::Methods{};
+    std::uint32_t parts = update_draw_state(state, target, applies_methods ? dirty_all : dirty, next_draw_state_);
+    if (applies_methods) {
       pipeline::apply_methods(target.format.methods, next_draw_state_);
       parts = dirty_all;
     }

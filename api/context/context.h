@@ -94,6 +94,7 @@ class Context {
   /// The window system's framebuffer or null. Pixels of this and of the next two are complete only after
   /// finish_rendering().
   pipeline::Framebuffer* window() { return window_.get(); }
+  const pipeline::Framebuffer* window() const { return window_.get(); }
   /// What is drawn into, and what is read from: null if it does not exist.
   pipeline::Framebuffer* target() { return renderer_.target(); }
   const pipeline::Framebuffer* target() const { return renderer_.target(); }
@@ -153,8 +154,12 @@ class Context {
   /// What bitmaps and pixel rectangles are drawn with now. Refreshes, and flushes pending vertices.
   const pipeline::PixelDraw& pixel_draw();
   TargetInfo target_info() const;  ///< of the framebuffer that is drawn into
+  /// True if a method has near at 1 and far at 0 in what is drawn into.
+  bool draws_reversed_depth() const { return methods_.reverses_depth() && target() == window_.get(); }
 
-  /// How the next draws are done: what is pending is finished with the old methods first. GOURAUD_METHODS at first.
+  /// How the next draws are done: what is pending is finished with the old methods first. GOURAUD_METHODS at first. Where
+  /// the window's depths are stored another way from now on, they are as far away as can be, and stencil is 0. Throws
+  /// std::bad_alloc, and nothing is changed.
   void set_methods(const pipeline::Methods& methods);
   const pipeline::Methods& methods() const { return methods_; }
 
@@ -189,6 +194,9 @@ class Context {
   int list_nesting = 0;
 
  private:
+  pipeline::DepthFormat window_depth_format() const;
+  void store_window_depth(bool reversed);
+  void install_window(std::unique_ptr<pipeline::Framebuffer> fresh);
   void tile_attachments(const FramebufferObject& framebuffer);
   void draw_pending();
   void hold_textures();

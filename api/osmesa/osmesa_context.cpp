@@ -107,7 +107,8 @@ void osmesa_context::copy_out() {
 }
 
 bool osmesa_context::snapshot_fits() const {
-  return !snapshot_.values.empty() && snapshot_.width_px == width_px_ && snapshot_.height_px == height_px_;
+  return !snapshot_.values.empty() && snapshot_.width_px == width_px_ && snapshot_.height_px == height_px_ &&
+         snapshot_.bytes_per_value == gouraud::pipeline::bytes_per_pixel(gl.window()->depth_format);
 }
 
 void osmesa_context::refresh_snapshot() {

@@ -127,6 +127,116 @@ TEST_F(PictureTest, OfFarWallsNeedsDistancesWhereSixteenBitsOfDepthDoNotDo) {
   EXPECT_LT(seen_far_away(picture("depth=z16", far_walls)), whole / 2);
 }
 
+constexpr const char* depth_formats[] = {"depth=z16", "depth=z24", "depth=z32", "depth=float", "depth=reversed"};
+
+/// Two floors that cross, a decal on one by polygon offset, a rectangle of pixels, a bitmap and stencil.
+void depth_uses(GLenum func, double clear) {
+  glClearDepth(clear);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glDepthFunc(func);
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_ALWAYS, 1, 0xFF);
+  glStencilOp(GL_KEEP, GL_INVERT, GL_INCR);
+  triangle({1, 0, 0}, {{{-1, -1, -0.75f}, {1, -1, -0.75f}, {0, 1, 0.75f}}});
+  triangle({0, 1, 0}, {{{-1, 1, -0.5f}, {-1, -1, 0.25f}, {1, 0, 0.5f}}});
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(func == GL_LESS || func == GL_LEQUAL ? -1.0f : 1.0f, func == GL_LESS || func == GL_LEQUAL ? -4.0f : 4.0f);
+  triangle({0, 0, 1}, {{{-0.5f, -0.5f, -0.375f}, {0.5f, -0.5f, -0.375f}, {0, 0.5f, 0.375f}}});
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  const std::vector<std::uint32_t> gray(16 * 16, 0xFF808080);
+  glWindowPos3f(24, 24, 0.5f);
+  glDrawPixels(16, 16, GL_RGBA, GL_UNSIGNED_BYTE, gray.data());
+  glDepthRange(0.25, 0.75);
+  triangle({1, 1, 0}, {{{-1, -1, 0}, {0, -1, 0.125f}, {-1, 0, 0}}});
+  glDepthRange(0, 1);
+  glStencilFunc(GL_EQUAL, 2, 0xFF);
+  glDisable(GL_DEPTH_TEST);
+  triangle({1, 1, 1}, {{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}});
+  glEnable(GL_DEPTH_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glClearDepth(1);
+}
+
+TEST_F(PictureTest, IsTheSameInEveryFormatOfDepthIfNothingIsFinerThanItsSteps) {
+  for (const auto& [func, clear] : {std::pair{GL_LESS, 1.0}, {GL_LEQUAL, 0.75}, {GL_GREATER, 0.0}, {GL_GEQUAL, 0.25}, {GL_NOTEQUAL, 1.0}}) {
+    const auto draw = [f = static_cast<GLenum>(func), c = clear] { depth_uses(f, c); };
+    const std::vector<std::uint32_t> expected = picture("", draw);
+    for (const char* format : depth_formats) EXPECT_EQ(differing(picture(format, draw), expected), 0) << format << ' ' << func;
+  }
+}
+
+TEST_F(PictureTest, HasTheBitsOfDepthThatTheMethodSays) {
+  const struct {
+    const char* methods;
+    GLint bits;
+    double step;
+  } formats[] = {{"", 24, 0x1p-24}, {"depth=z16", 16, 0x1p-16}, {"depth=z24", 24, 0x1p-24}, {"depth=z32", 32, 0x1p-24}, {"depth=float", 32, 0x1p-24}};
+  for (const auto& [methods, bits, step] : formats) {
+    picture(methods, [] { triangle({1, 1, 1}, {{{-3, -1, 0.3f}, {1, -1, 0.3f}, {1, 3, 0.3f}}}); });
+    GLint found = 0;
+    glGetIntegerv(GL_DEPTH_BITS, &found);
+    EXPECT_EQ(found, bits) << methods;
+    float depth = 0;
+    GLuint fixed = 0;
+    glReadPixels(40, 10, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    glReadPixels(40, 10, 1, 1, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, &fixed);
+    EXPECT_NEAR(static_cast<double>(depth), 0.65, step) << methods;
+    EXPECT_NEAR(fixed / 4294967295.0, 0.65, step) << methods;
+  }
+  picture("depth=reversed", [] { triangle({1, 1, 1}, {{{-3, -1, 0.3f}, {1, -1, 0.3f}, {1, 3, 0.3f}}}); });
+  float depth = 0;
+  glReadPixels(40, 10, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+  EXPECT_NEAR(depth, 0.35f, 1e-7f);
+}
+
+/// As far_walls, with far a hundred million times near.
+void very_far_walls() {
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glFrustum(-1e-5, 1e-5, -1e-5, 1e-5, 1e-5, 1000);
+  glMatrixMode(GL_MODELVIEW);
+  for (const float z : {-100.0f, -101.0f}) {
+    glColor3f(0, z == -100.0f ? 1.0f : 0.0f, 1);
+    glBegin(GL_QUADS);
+    for (const auto& [x, y] : {std::pair{-80.0f, -80.0f}, {80.0f, -80.0f}, {80.0f, 80.0f}, {-80.0f, 80.0f}}) glVertex3f(x, y, z + 0.3f * x / 80.0f);
+    glEnd();
+  }
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glMatrixMode(GL_MODELVIEW);
+}
+
+TEST_F(PictureTest, OfVeryFarWallsNeedsReversedDepth) {
+  glDepthFunc(GL_LEQUAL);
+  const int whole = seen_far_away(picture("depth=reversed", very_far_walls));
+  EXPECT_GT(whole, 2000);
+  for (const char* format : {"", "depth=z16", "depth=z24", "depth=z32", "depth=float"}) {
+    EXPECT_LT(seen_far_away(picture(format, very_far_walls)), whole) << format;
+  }
+}
+
+TEST_F(PictureTest, OfAFramebufferObjectHasItsOwnFormatOfDepth) {
+  GLuint texture = 0, framebuffer = 0;
+  glGenTextures(1, &texture);
+  glBindTexture(GL_TEXTURE_2D, texture);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, size, size, 0, GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+  glGenFramebuffers(1, &framebuffer);
+  for (const char* format : {"", "depth=z16", "depth=reversed"}) {
+    picture(format, [&] {
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, texture, 0);
+      glDrawBuffer(GL_NONE);
+      glReadBuffer(GL_NONE);
+      glClear(GL_DEPTH_BUFFER_BIT);
+      triangle({1, 1, 1}, {{{-3, -1, 0.3f}, {1, -1, 0.3f}, {1, 3, 0.3f}}});
+      float depth = 0;
+      glReadPixels(40, 10, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+      EXPECT_NEAR(depth, 0.65f, 1e-7f) << format;
+      glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    });
+  }
+}
+
 /// A lit square of two triangles, whose highlight is in its middle.
 void lit_square() {
   glEnable(GL_LIGHTING);

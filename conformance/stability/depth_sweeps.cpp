@@ -157,8 +157,8 @@ const std::vector<double> ratios{1.5, 2, 2.5, 3, 3.5, 4, 4.5, 5, 5.5, 6, 6.5, 7,
 const std::vector<double> slopes{0, 10, 20, 30, 40, 50, 60, 70, 75, 80, 83, 85, 86, 87, 88};
 
 Sweep wall_sweep(std::string_view name, std::string_view shows, Drawing (*setup)(const GlTable&, double), int depth_bits,
-                 double holds_to, double fails_from) {
-  return {{name, shows, width, height, setup, depth_bits},
+                 double holds_to, double fails_from, const std::vector<Expectation>& of_methods = {}) {
+  Sweep sweep{{name, shows, width, height, setup, depth_bits},
           ratio_label,
           ratios,
           {{"lost", "pixels where the wall in front loses, %", lost_wall_percent}},
@@ -166,6 +166,8 @@ Sweep wall_sweep(std::string_view name, std::string_view shows, Drawing (*setup)
            {"default", "lost", fails_from, 14, {}, 1.0, "a step of the depth buffer is there more than the walls' distance"}},
           SweepReference::none,
           {"depth"}};
+  sweep.expectations.insert(sweep.expectations.end(), of_methods.begin(), of_methods.end());
+  return sweep;
 }
 
 Sweep decal_sweep(std::string_view name, std::string_view shows, Drawing (*setup)(const GlTable&, double), Expectation expectation) {
@@ -185,7 +187,14 @@ std::vector<Sweep> depth_sweeps() {
   return {
       // A step of n bits at distance z is about z^2 / (near 2^n): more than z / 1000 from z = near 2^n / 1000 on.
       wall_sweep("depth_16_bits", "two walls a thousandth apart, 16 bits of depth", walls, 16, 2, 3.5),
-      wall_sweep("depth_24_bits", "two walls a thousandth apart, 24 bits of depth", walls, 24, 4.5, 6),
+      wall_sweep("depth_24_bits", "two walls a thousandth apart, 24 bits of depth", walls, 24, 4.5, 6,
+                 {{"depth=z16", "lost", 3, 14, {}, 10.0, "a step of 16 bits"},
+                  {"depth=z24", "lost", 1.5, 4.5, 0.0},
+                  {"depth=z32", "lost", 1.5, 5, 0.0},  // finer than a float vertex, whose depths near 1 have 24 bits
+                  {"depth=z32", "lost", 6, 6.5, {}, 1.0, "vertices bring floats"},
+                  {"depth=float", "lost", 1.5, 4.5, 0.0},
+                  {"depth=float", "lost", 6, 6.5, {}, 10.0, "a float near 1 has steps of 2^-24"},
+                  {"depth=reversed", "lost", 1.5, 14, 0.0}}),
       wall_sweep("depth_float", "two walls a thousandth apart, 32-bit float depth", float_walls, 24, 4, 6.5),
       {{"depth_float_reversed", "two walls a thousandth apart, float depth, near at 1 and far at 0", width, height, reversed_walls},
        ratio_label,

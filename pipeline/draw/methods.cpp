@@ -90,7 +90,12 @@ constexpr std::array choices{
     colors<InterpolationMethod::hint>({"colors", "hint", "affine where PERSPECTIVE_CORRECTION_HINT is FASTEST", "GL 1.5, 5.6"}),
 
     depth<DepthMethod::z>({"depth", "z", "window depth, in the bits of the visual (16, 24 or float)", "Catmull 1974"}),
-    depth<DepthMethod::z16>({"depth", "z16", "window depth in 65,536 steps", "Catmull 1974"}),
+    depth<DepthMethod::z16>({"depth", "z16", "window depth as a fixed-point number of 16 bits", "Catmull 1974"}),
+    depth<DepthMethod::z24>({"depth", "z24", "window depth as a fixed-point number of 24 bits", "Catmull 1974"}),
+    depth<DepthMethod::z32>({"depth", "z32", "window depth as a fixed-point number of 32 bits; vertices bring no more than 24", "Catmull 1974"}),
+    depth<DepthMethod::z_float>({"depth", "float", "window depth as a 32-bit float: finest where depth is coarse already", "ARB_depth_buffer_float"}),
+    depth<DepthMethod::z_reversed>({"depth", "reversed", "a 32-bit float that is 1 near by and 0 far away: equally fine everywhere",
+                                    "Lapidous and Jiao 1999; ARB_clip_control"}),
     depth<DepthMethod::w>({"depth", "w", "the distance, in equal steps from near to far, 24 bits", "Blinn 1998"}),
     depth<DepthMethod::w16>({"depth", "w16", "the distance, in equal steps from near to far, 16 bits", "Blinn 1998"}),
     depth<DepthMethod::painter>({"depth", "painter", "triangles sorted by their mean depth, the farthest first; no buffer", "Newell, Newell, Sancha 1972"}),
@@ -220,9 +225,41 @@ void blend_by_coverage(DrawState& state) {
   if ((state.raster.color_write_mask & 8) != 0) state.raster.blend.alpha = over;
 }
 
+/// Clip z becomes what is left of w beyond it, as a program that reverses depth has its projection: in double, from the
+/// projection's own rows, before anything is rounded away.
+/// Depth ranges, comparisons and polygon offsets turn round with it.
+void reverse_depth(DrawState& state) {
+  TransformState& transform = state.transform;
+  const double share = state.viewport.zero_to_one ? 1.0 : 0.5;
+  std::array<double, 4> row{};
+  for (int c = 0; c < 4; ++c) {
+    const double w = transform.projection[c][3], z = transform.projection[c][2];
+    row[static_cast<std::size_t>(c)] = share * (w - z);
+  }
+  for (int c = 0; c < 4; ++c) {
+    double element = 0;
+    for (int k = 0; k < 4; ++k) element += row[static_cast<std::size_t>(k)] * static_cast<double>(transform.modelview[c][k]);
+    transform.modelview_projection[c][2] = static_cast<float>(element);
+  }
+  for (int c = 0; c < 4; ++c) transform.projection[c][2] = static_cast<float>(row[static_cast<std::size_t>(c)]);
+  state.viewport.zero_to_one = true;
+  const double near = state.viewport.depth_near, far = state.viewport.depth_far;
+  state.viewport.depth_near = 1.0 - far;
+  state.viewport.depth_far = 1.0 - near;
+  CompareFunc& func = state.raster.depth.func;
+  if (func == CompareFunc::less || func == CompareFunc::greater) {
+    func = func == CompareFunc::less ? CompareFunc::greater : CompareFunc::less;
+  } else if (func == CompareFunc::lequal || func == CompareFunc::gequal) {
+    func = func == CompareFunc::lequal ? CompareFunc::gequal : CompareFunc::lequal;
+  }
+  state.polygons.offset_factor = -state.polygons.offset_factor;
+  state.polygons.offset_units = -state.polygons.offset_units;
+}
+
 }  // namespace
 
 void apply_methods(const Methods& methods, DrawState& state) {
+  if (methods.reverses_depth() && !state.report.enabled) reverse_depth(state);
   if (methods.shading == ShadingMethod::flat) state.assembly.shade_model = ShadeModel::flat;
   if (methods.lines == LineMethod::coverage) {
     state.lines.smooth = true;

@@ -32,8 +32,9 @@ enum class LineMethod : std::uint8_t { diamond_exit, naive, dda, bresenham, cove
 /// `hint`: as PERSPECTIVE_CORRECTION_HINT says; whoever makes a plan has resolved it.
 enum class InterpolationMethod : std::uint8_t { perspective, affine, affine8, affine16, barycentric, hint };
 
-/// What a depth buffer holds [GL1.5 §4.1.6].
-enum class DepthMethod : std::uint8_t { z, z16, w, w16, painter, ray };
+/// What a depth buffer holds [GL1.5 §4.1.6]. z16 to z_reversed are formats of the window's buffer (z: the visual's own);
+/// drawing into anything else, they are z.
+enum class DepthMethod : std::uint8_t { z, z16, z24, z32, z_float, z_reversed, w, w16, painter, ray };
 
 /// Whether colours vary over a primitive: as the shade model says, not at all, or lit anew at every fragment.
 enum class ShadingMethod : std::uint8_t { gouraud, flat, phong };
@@ -70,8 +71,12 @@ struct Methods {
   }
   /// Lighting follows the equations to the letter.
   bool lights_plainly() const { return highlight != HighlightMethod::half_vector || power != PowerMethod::reproducible; }
+  /// The window's depth buffer has another format than its visual.
+  bool formats_depth() const { return depth >= DepthMethod::z16 && depth <= DepthMethod::z_reversed; }
+  /// Near is 1 and far 0: what compares with, clears or names a depth has it turned round.
+  bool reverses_depth() const { return depth == DepthMethod::z_reversed; }
   /// Depths are not those of DepthPlanes.
-  bool warps_depth() const { return depth != DepthMethod::z && !gathers_triangles(); }
+  bool warps_depth() const { return depth == DepthMethod::w || depth == DepthMethod::w16; }
   /// Triangles wait until all that may hide each other are there.
   bool gathers_triangles() const { return depth == DepthMethod::painter || depth == DepthMethod::ray; }
   /// Lines are walked pixel by pixel.
@@ -96,7 +101,8 @@ std::optional<Methods> parse_methods(std::string_view text, std::string& error);
 std::string describe(const Methods& methods);
 
 struct DrawState;
-/// What can be said in the state of a draw: shading and smoothness. The rest is the plan's and the renderer's.
+/// What can be said in the state of a draw: shading, smoothness, which way depth runs. The rest is the plan's and the
+/// renderer's. To a fresh state: twice is not once.
 void apply_methods(const Methods& methods, DrawState& state);
 
 }  // namespace gouraud::pipeline

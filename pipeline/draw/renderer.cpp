@@ -47,6 +47,7 @@ double depth_scale(DepthFormat format) {
   switch (format) {
     case DepthFormat::z16: return 0xFFFF;
     case DepthFormat::z24s8: return 0xFFFFFF;
+    case DepthFormat::z32: return 0xFFFFFFFF;
     case DepthFormat::none:
     case DepthFormat::z32f: break;
   }

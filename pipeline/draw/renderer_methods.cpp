@@ -81,11 +81,16 @@ void Renderer::Implementation::select_material(const VertexBatch& batch, const P
     if (next.first <= first) run = &next;
   }
   if (run == nullptr || setup->binding->method->lighting.material == run->material) return;
-  RasterBinding binding = *setup->binding;
-  auto* const method = new (bins.allocate(sizeof(MethodState))) MethodState(*binding.method);
+  auto* const method = new (bins.allocate(sizeof(MethodState))) MethodState(*setup->binding->method);
   method->lighting.material = run->material;
-  binding.method = method;
-  setup = bins.intern(*setup, binding);
+  const auto with_material = [&](const SetupState* before) {
+    RasterBinding binding = *before->binding;
+    binding.method = method;
+    return bins.intern(*before, binding);
+  };
+  const bool alike = filled_setup == outlined_setup;
+  filled_setup = with_material(filled_setup);
+  setup = outlined_setup = alike ? filled_setup : with_material(outlined_setup);
 }
 
 /// What was gathered goes to the bins, before anything else does.

@@ -256,6 +256,7 @@ SmallTriangleTest select_small_test(CompareFunc func, DepthFormat format) {
   switch (format) {
     case DepthFormat::z16: return test_for<Z16>(func);
     case DepthFormat::z24s8: return test_for<Z24S8>(func);
+    case DepthFormat::z32:
     case DepthFormat::z32f:
     case DepthFormat::none: break;
   }

@@ -49,7 +49,7 @@ class SteppedDepth {
 };
 
 /// Depths of a block, each lane from the plane in double: for steep planes and float buffers; or from an image.
-template <class Value, class Tag>
+template <class Value, class Tag, bool is_unsigned32 = false>
 class ExactDepth {
  public:
   HWY_INLINE ExactDepth(const DepthPlane& plane, const FragmentBlock& block) {
@@ -59,13 +59,13 @@ class ExactDepth {
       for_image_pixels(*image, block, [&](std::int32_t lane, const std::byte* pixel) {
         float units;
         std::memcpy(&units, pixel, sizeof units);
-        value_[lane] = static_cast<Value>(units);
+        value_[lane] = stored(is_unsigned32 ? static_cast<double>(units) * 0xFFFFFFFF : static_cast<double>(units));
       });
       return;
     }
     for (std::int32_t lane = 0; lane < 64; ++lane) {
       const double z = std::clamp<double>(plane_at(plane, block.x + lane % 8, block.y + lane / 8), plane.minimum, plane.maximum);
-      value_[lane] = static_cast<Value>(std::is_integral_v<Value> ? std::nearbyint(z) : z);
+      value_[lane] = stored(z);
     }
   }
   HWY_INLINE FloatVector first(std::size_t) const { return hn::Zero(FloatTag()); }
@@ -73,12 +73,17 @@ class ExactDepth {
   HWY_INLINE hn::Vec<Tag> at(FloatVector, std::size_t first_lane) const { return hn::Load(Tag(), value_ + first_lane); }
 
  private:
+  static HWY_INLINE Value stored(double z) {
+    if constexpr (is_unsigned32) return static_cast<Value>(std::nearbyint(std::min(z, 4294967295.0)) - 2147483648.0);
+    return static_cast<Value>(std::is_integral_v<Value> ? std::nearbyint(z) : z);
+  }
+
   alignas(64) Value value_[64];
 };
 
 /// Where a plane is too steep for float steps, or depths come from an image.
 template <class Format>
-using ExactDepthOf = ExactDepth<typename Format::Depth, typename Format::Tag>;
+using ExactDepthOf = ExactDepth<typename Format::Depth, typename Format::Tag, std::is_same_v<Format, Z32>>;
 
 template <class Format, class Func, class Depth, bool whole_block>
 HWY_INLINE std::uint64_t test_lanes(const FragmentBlock& block, const TileTarget& target) {
@@ -113,7 +118,7 @@ HWY_INLINE std::uint64_t test_block(const FragmentBlock& block, const TileTarget
 
 template <class Format, class Func>
 void depth_test(FragmentBlock& block, const TileTarget& target) {
-  if constexpr (!std::is_same_v<Format, Z32F>) {
+  if constexpr (!std::is_same_v<Format, Z32F> && !std::is_same_v<Format, Z32>) {
     if (!block.primitive->depth.steep) {
       block.coverage = test_block<Format, Func, SteppedDepth>(block, target);
       return;
@@ -143,6 +148,7 @@ FragmentPass pass_for(CompareFunc func) {
 FragmentPass select(CompareFunc func, DepthFormat format) {
   switch (format) {
     case DepthFormat::z16: return pass_for<Z16>(func);
+    case DepthFormat::z32: return pass_for<Z32>(func);
     case DepthFormat::z32f: return pass_for<Z32F>(func);
     case DepthFormat::z24s8:
     case DepthFormat::none: break;

@@ -44,6 +44,17 @@ struct Z16 {
   static HWY_INLINE IntVector merge(IntVector, IntVector z) { return z; }
   static HWY_INLINE void store(IntVector v, Word* p) { hn::Store(hn::DemoteTo(Tag16(), v), Tag16(), p); }
 };
+/// Less 2^31, so that signed numbers compare as the unsigned ones that are stored.
+struct Z32 {
+  using Tag = IntTag;
+  using Depth = std::int32_t;
+  using Word = std::int32_t;
+  static HWY_INLINE IntVector flipped(IntVector v) { return hn::Xor(v, hn::Set(IntTag(), INT32_MIN)); }
+  static HWY_INLINE IntVector load(const Word* p) { return flipped(hn::Load(IntTag(), p)); }
+  static HWY_INLINE IntVector depth(IntVector stored) { return stored; }
+  static HWY_INLINE IntVector merge(IntVector, IntVector z) { return z; }
+  static HWY_INLINE void store(IntVector v, Word* p) { hn::Store(flipped(v), IntTag(), p); }
+};
 struct Z32F {
   using Tag = FloatTag;
   using Depth = float;

@@ -1,8 +1,5 @@
 // Takes a block and its primitive's depth plane, gives the block without the fragments that fail.
 //
-// z16: window depth in 65,536 steps, as the buffers of 1990s hardware held it. With far / near = 1000 half of the steps lie between
-// near and 2 near; behind 500 near two surfaces need 4 near between them to be told apart.
-//
 // w, w16: the distance from the eye, in equal steps from the near plane to the far one, of 24 or 16 bits. As fine far away as near by,
 // where z has most of its steps; but it is not linear in the window, so that each pixel takes a division, and what two edges share
 // they share only to within rounding. Very near surfaces, and large far / near with few bits, are where it is the worse one. An
@@ -25,7 +22,6 @@ namespace {
 double method_depth(const MethodState& state, double z) {
   const auto in_steps = [](double value, double steps) { return std::nearbyint(std::clamp(value, 0.0, 1.0) * steps) / steps; };
   constexpr double steps16 = 0xFFFF, steps24 = 0xFFFFFF;
-  if (state.methods.depth == DepthMethod::z16) return in_steps(z, steps16);
   const MethodState::Distance& d = state.distance;
   const double steps = state.methods.depth == DepthMethod::w16 ? steps16 : steps24;
   if (d.numerator == 0) return in_steps(z, steps);
@@ -93,6 +89,7 @@ FragmentPass depth_method_pass(CompareFunc, DepthFormat format) {
     case DepthFormat::z16: return test_depth<StoredZ16>;
     case DepthFormat::z32f: return test_depth<StoredFloat>;
     case DepthFormat::z24s8:
+    case DepthFormat::z32:  // another method's
     case DepthFormat::none: break;
   }
   return test_depth<StoredZ24>;

@@ -185,6 +185,7 @@ void blit_depth(const Framebuffer& source, const Framebuffer& destination, const
       return copy_words<std::uint16_t>(source.depth, destination.depth, columns, rows, 0xFFFF);
     case DepthFormat::z24s8:
       return copy_words<std::uint32_t>(source.depth, destination.depth, columns, rows, 0xFFFFFFu);
+    case DepthFormat::z32:
     case DepthFormat::z32f:
       return copy_words<std::uint32_t>(source.depth, destination.depth, columns, rows, ~0u);
     case DepthFormat::none:

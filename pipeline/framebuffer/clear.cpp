@@ -106,6 +106,9 @@ Pattern depth_pattern(const Framebuffer& target, const ClearState& state) {
     case DepthFormat::z16:
       if (state.depth) return {repeated(static_cast<std::uint16_t>(std::nearbyint(depth * 0xFFFF))), all};
       break;
+    case DepthFormat::z32:
+      if (state.depth) return {repeated(static_cast<std::uint32_t>(std::nearbyint(depth * 0xFFFFFFFF))), all};
+      break;
     case DepthFormat::z32f:
       if (state.depth) return {repeated(static_cast<float>(depth)), all};
       break;

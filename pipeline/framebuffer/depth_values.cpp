@@ -56,5 +56,13 @@ HWY_AFTER_NAMESPACE();
 namespace gouraud::pipeline {
 void depths_of_z16(const std::byte* in, std::size_t count, std::byte* out) { GOURAUD_SIMD_PICK(convert_z16)(in, count, out); }
 void depths_of_z24s8(const std::byte* in, std::size_t count, std::byte* out) { GOURAUD_SIMD_PICK(convert_z24s8)(in, count, out); }
+void depths_of_z32(const std::byte* in, std::size_t count, std::byte* out) {
+  for (std::size_t i = 0; i < count; ++i) {
+    std::uint32_t word;
+    std::memcpy(&word, in + i * sizeof word, sizeof word);
+    const auto depth = static_cast<float>(word / 4294967295.0);
+    std::memcpy(out + i * sizeof depth, &depth, sizeof depth);
+  }
+}
 }  // namespace gouraud::pipeline
 #endif

@@ -9,5 +9,7 @@ namespace gouraud::pipeline {
 void depths_of_z16(const std::byte* in, std::size_t count, std::byte* out);
 /// Of the low 24 bits of 32-bit words.
 void depths_of_z24s8(const std::byte* in, std::size_t count, std::byte* out);
+/// Of 32-bit words.
+void depths_of_z32(const std::byte* in, std::size_t count, std::byte* out);
 
 }  // namespace gouraud::pipeline

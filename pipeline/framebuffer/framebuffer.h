@@ -23,8 +23,8 @@ inline constexpr int blocks_per_tile_row = tile_size / block_size;
 enum class ColorFormat : std::uint8_t { none, rgba8, rgba16, rgba32f };
 
 /// How depth and stencil are stored; z24s8 holds depth in the low 24 bits of a 32-bit word and stencil in the top 8.
-/// z32f is one float a pixel, its stencil (if any) in `stencil8` apart.
-enum class DepthFormat : std::uint8_t { none, z16, z24s8, z32f };
+/// z32f is one float a pixel, z32 an integer of 32 bits (of the method depth=z32 alone); their stencil lies apart.
+enum class DepthFormat : std::uint8_t { none, z16, z24s8, z32, z32f };
 
 constexpr int bytes_per_pixel(ColorFormat format) {
   switch (format) {
@@ -40,6 +40,7 @@ constexpr int bytes_per_pixel(DepthFormat format) {
     case DepthFormat::none: return 0;
     case DepthFormat::z16: return 2;
     case DepthFormat::z24s8:
+    case DepthFormat::z32:
     case DepthFormat::z32f: return 4;
   }
   return 0;
@@ -50,6 +51,7 @@ constexpr int depth_bits(DepthFormat format) {
     case DepthFormat::none: return 0;
     case DepthFormat::z16: return 16;
     case DepthFormat::z24s8: return 24;
+    case DepthFormat::z32:
     case DepthFormat::z32f: return 32;
   }
   return 0;

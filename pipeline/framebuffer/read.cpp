@@ -88,6 +88,7 @@ void read_depth_rows_float(const Framebuffer& target, int x, int y, int count, i
     case DepthFormat::none: return;
     case DepthFormat::z16: return read.template operator()<2>(depths_of_z16);
     case DepthFormat::z24s8: return read.template operator()<4>(depths_of_z24s8);
+    case DepthFormat::z32: return read.template operator()<4>(depths_of_z32);
     case DepthFormat::z32f: return read_depth_rows(target, x, y, count, rows, out, row_stride_bytes);
   }
 }
@@ -139,6 +140,9 @@ void read_depth_row(const Framebuffer& target, int x, int y, int count, std::uin
       convert_row<std::uint32_t, 1>(target.depth, x, y, count, out,
                                     [](std::uint32_t word) { return word & 0xFFFFFFu; });
       break;
+    case DepthFormat::z32:
+      convert_row<std::uint32_t, 1>(target.depth, x, y, count, out, [](std::uint32_t value) { return value; });
+      break;
     case DepthFormat::z32f:
     case DepthFormat::none:
       std::fill_n(out, count, 0u);
@@ -159,6 +163,10 @@ void read_depth_row_float(const Framebuffer& target, int x, int y, int count, fl
       convert_row<std::uint32_t, 1>(target.depth, x, y, count, out, [](std::uint32_t word) {
         return static_cast<float>(static_cast<std::int32_t>(word & 0xFFFFFFu)) / 16777215.0f;
       });
+      break;
+    case DepthFormat::z32:
+      convert_row<std::uint32_t, 1>(target.depth, x, y, count, out,
+                                    [](std::uint32_t value) { return static_cast<float>(value / 4294967295.0); });
       break;
     case DepthFormat::z32f:
       read_depth_rows(target, x, y, count, 1, reinterpret_cast<std::byte*>(out), 0);

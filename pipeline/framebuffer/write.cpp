@@ -27,6 +27,7 @@ float depth_in_units(double depth, DepthFormat format) {
     case DepthFormat::none: return 0.0f;
     case DepthFormat::z16: return static_cast<float>(std::nearbyint(clamped * 65535.0));
     case DepthFormat::z24s8: return static_cast<float>(std::nearbyint(clamped * 16777215.0));
+    case DepthFormat::z32:
     case DepthFormat::z32f: return static_cast<float>(clamped);
   }
   return 0.0f;
@@ -65,6 +66,9 @@ void write_depth_row(const Framebuffer& target, int x, int y, int count, const d
         store(at, (load<std::uint32_t>(at) & 0xFF000000u) | static_cast<std::uint32_t>(units));
         break;
       }
+      case DepthFormat::z32:
+        store(target.depth.pixel(x + i, y), static_cast<std::uint32_t>(std::nearbyint(static_cast<double>(units) * 0xFFFFFFFF)));
+        break;
       case DepthFormat::z32f: store(target.depth.pixel(x + i, y), units); break;
     }
   }

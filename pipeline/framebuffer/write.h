@@ -19,7 +19,8 @@ void write_color_rows(const Framebuffer& target, int x, int y, int count, int ro
 /// Depths in [0, 1] become buffer units, to nearest; floats are kept. Nothing happens without a depth buffer.
 void write_depth_row(const Framebuffer& target, int x, int y, int count, const double* depths);
 
-/// A depth in [0, 1] in the units of a depth buffer, to nearest even; for z32f the depth itself.
+/// A depth in [0, 1] in the units of a depth buffer, to nearest even; for z32 and z32f, whose units no float can count, the
+/// depth itself.
 float depth_in_units(double depth, DepthFormat format);
 
 }  // namespace gouraud::pipeline

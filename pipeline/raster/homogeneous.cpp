@@ -153,8 +153,7 @@ void rasterize_homogeneous(const PrimitiveRecord& primitive, std::int32_t tile_x
       const double value = at(f, x, y);
       if (!(f.owns ? value >= 0 : value > 0)) return false;
     }
-    const double z = at(triangle.z_ndc, x, y);
-    return z >= triangle.z_near && z <= 1.0;
+    return at(triangle.behind_near, x, y) >= 0 && at(triangle.before_far, x, y) >= 0;
   });
 }
 
@@ -191,8 +190,14 @@ bool setup_homogeneous(const SetupState& state, const ViewportState& viewport, c
   }
   const auto z = [&](std::size_t i) { return static_cast<double>(vertices.position_clip[2][triangle.vertex[i]]); };
   const Plane z_ndc = sum(weights.function, z(0), z(1), z(2));
-  shape.z_ndc = {z_ndc.origin, z_ndc.dx, z_ndc.dy, true};
-  shape.z_near = viewport.zero_to_one ? 0.0 : -1.0;
+  // Distances of the vertices themselves, so that what lies on a plane (all, if near is next to nothing) is on it everywhere.
+  const auto set_plane_test = [&](MethodTriangle::Function& test, double of_z, double of_w) {
+    const auto distance = [&](std::size_t i) { return of_z * z(i) + of_w * corners[i][2]; };
+    const Plane plane = sum(weights.function, distance(0), distance(1), distance(2));
+    test = {plane.origin, plane.dx, plane.dy, true};
+  };
+  set_plane_test(shape.behind_near, 1, viewport.zero_to_one ? 0 : 1);
+  set_plane_test(shape.before_far, -1, 1);
   weights.inverse_w = sum(weights.function, 1, 1, 1);
   const double largest = largest_in(weights.inverse_w, box);
   if (!is_finite(z_ndc) || !(largest > 0) || !std::isfinite(1.0 / largest)) return false;

@@ -30,8 +30,7 @@ struct MethodTriangle : SmoothShape {
     bool owns = false;  ///< an edge that samples on it belong to
   };
   std::array<Function, 3> edge{};
-  Function z_ndc{};  ///< depth in [z_near, 1] in front of the near and far planes
-  double z_near = -1;
+  Function behind_near{}, before_far{};  ///< not negative between the two planes
 
   /// The corners before the division, for rays: window x and y (y up) times w, clip z and w.
   struct RayCorner {
