@@ -243,7 +243,10 @@ void Context::finish_rendering() {
 void Context::refresh() {
   const std::uint32_t dirty = dirty_;
   if (dirty == 0) return;
-  if ((dirty & ~dirty_material) != 0) {
+  const std::uint32_t besides_material = dirty & ~dirty_material;
+  if (besides_material == dirty_transform && plan_format_.methods == pipeline::Methods{}) {
+    refresh_matrices();
+  } else if (besides_material != 0) {
     const TargetInfo target = target_info();
     next_draw_state_.lighting.material = draw_state_.lighting.material;
     const bool applies_methods = target.format.methods != pipeline::Methods{};
@@ -262,8 +265,27 @@ void Context::refresh() {
   dirty_ = 0;
 }
 
+// refresh() where nothing but matrices has changed: most draws of most programs.
+void Context::refresh_matrices() {
+  update_matrices(state, next_draw_state_);
+  const std::uint32_t changed = differing_parts(draw_state_, next_draw_state_, dirty_transform);
+  if (changed == 0) return;
+  pixel_draw_valid_ = false;
+  if (!go_on_under_next_matrices()) take_draw_state(changed, plan_format_, false);
+}
+
+// Where the next draw state has other matrices and nothing else is new: takes them for the vertices to come. False if
+// pending vertices have to be drawn first.
+bool Context::go_on_under_next_matrices() {
+  if (!plan_.follows_matrices || draw_state_.clip_planes != next_draw_state_.clip_planes) return false;
+  if (immediate.batch.count > 0) append_transform(immediate.batch, draw_state_.transform, next_draw_state_.transform);
+  draw_state_.transform = next_draw_state_.transform;
+  return true;
+}
+
 // The changed parts of next_draw_state_, and what follows from them.
 void Context::take_draw_state(std::uint32_t changed, const pipeline::TargetFormat& format, bool other_format) {
+  if (changed == dirty_transform && !other_format && go_on_under_next_matrices()) return;
   if (other_format || differ_for(immediate.batch_modes, changed, draw_state_, next_draw_state_)) {
     try {
       flush_vertices();

@@ -200,6 +200,8 @@ class Context {
   void tile_attachments(const FramebufferObject& framebuffer);
   void draw_pending();
   void hold_textures();
+  void refresh_matrices();
+  bool go_on_under_next_matrices();
   void take_draw_state(std::uint32_t changed, const pipeline::TargetFormat& format, bool other_format);
   void trace_plan() const;
 

@@ -78,6 +78,15 @@ void append_material(VertexBatch& batch, const pipeline::MaterialPair& material)
 
 }  // namespace
 
+void append_transform(VertexBatch& batch, const pipeline::TransformState& before, const pipeline::TransformState& now) {
+  if (batch.transform_runs.empty()) batch.transform_runs.push_back({0, before});
+  if (batch.transform_runs.back().first == batch.count) {
+    batch.transform_runs.back().transform = now;
+  } else {
+    batch.transform_runs.push_back({batch.count, now});
+  }
+}
+
 bool differ_for(std::uint32_t modes, std::uint32_t parts, const pipeline::DrawState& a, const pipeline::DrawState& b) {
   if ((parts & ~dirty_assembly) != 0) return true;
   const bool polygons = (modes & ~(mode_bit(PrimitiveMode::points) | line_modes)) != 0;
@@ -166,7 +175,8 @@ void Context::begin_primitive(PrimitiveMode mode, pipeline::PrimitiveOrigin orig
   VertexBatch& batch = immediate.batch;
   if (plan_.draws && target() != nullptr) {
     if (batch.count > pipeline::batch_capacity - least_room) draw_pending();
-    batch.primitives.push_back({mode, true, true, batch.count, 0, false, list_nesting > 0 ? pipeline::PrimitiveOrigin::display_list : origin});
+    const bool moved = !batch.transform_runs.empty() && batch.transform_runs.back().first == batch.count;
+    batch.primitives.push_back({mode, true, true, batch.count, 0, false, list_nesting > 0 ? pipeline::PrimitiveOrigin::display_list : origin, moved});
     immediate.batch_modes |= mode_bit(mode);
     immediate.limit = limit_of(mode, batch.count);
     immediate.demand = plan_.vertex_demand;

@@ -51,6 +51,10 @@ std::int32_t cut_multiple(pipeline::PrimitiveMode mode);
 /// do not concern triangles.
 bool differ_for(std::uint32_t modes, std::uint32_t parts, const pipeline::DrawState& a, const pipeline::DrawState& b);
 
+/// From the next vertex on `now` applies; the batch has vertices, and none of a primitive that is not complete. `before`
+/// has applied so far if the batch has no transform runs yet.
+void append_transform(pipeline::VertexBatch& batch, const pipeline::TransformState& before, const pipeline::TransformState& now);
+
 /// The components of what a vertex attribute takes from the current values.
 const float* current_value(const CurrentGroup& current, std::uint32_t attribute);
 

@@ -163,6 +163,11 @@ pipeline::PixelRect writable_rect(const State& state, const TargetInfo& target) 
   return writable_rect(state.scissor, target);
 }
 
+void update_matrices(const State& state, pipeline::DrawState& draw_state) {
+  draw_state.transform = transform_state(state, normals_matter(draw_state));
+  draw_state.clip_planes = clip_plane_state(state.transform);
+}
+
 // Parts are computed in an order in which each depends only on those before; a part that depends on a fact of an
 // earlier one is computed again when that fact changes.
 std::uint32_t update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
@@ -220,10 +225,7 @@ std::uint32_t update_draw_state(const State& state, const TargetInfo& target, st
   const bool new_normals_matter = normals_matter(draw_state);
   if (new_normals_matter != old_normals_matter) dirty |= dirty_transform;
 
-  if (dirty & dirty_transform) {
-    draw_state.transform = transform_state(state, new_normals_matter);
-    draw_state.clip_planes = clip_plane_state(state.transform);
-  }
+  if (dirty & dirty_transform) update_matrices(state, draw_state);
   if (dirty & dirty_viewport) {
     draw_state.viewport = viewport_state(state, target, depth_matters);
   }

@@ -39,6 +39,9 @@ struct TargetInfo {
 std::uint32_t update_draw_state(const State& state, const TargetInfo& target, std::uint32_t dirty,
                                 pipeline::DrawState& draw_state);
 
+/// The same for dirty_transform alone: no other part depends on it.
+void update_matrices(const State& state, pipeline::DrawState& draw_state);
+
 /// Those of the parts that differ.
 std::uint32_t differing_parts(const pipeline::DrawState& a, const pipeline::DrawState& b, std::uint32_t parts);
 void copy_parts(const pipeline::DrawState& from, std::uint32_t parts, pipeline::DrawState& to);

@@ -1,24 +1,54 @@
 #include "api/state/matrix.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "pipeline/simd/float_mode.h"
 
 namespace gouraud::api {
 
+namespace {
+
+/// A matrix column, of which the compiler computes the four elements at once, each as if alone.
+using Column = float __attribute__((vector_size(4 * sizeof(float))));
+using Columns = std::array<Column, 4>;
+
+Columns columns_of(const glm::mat4& m) {
+  return std::bit_cast<Columns>(m);
+}
+
+Column sum_of_columns(const Columns& m, const glm::vec4& factors) {
+  return ((m[0] * factors.x + m[1] * factors.y) + m[2] * factors.z) + m[3] * factors.w;
+}
+
+}  // namespace
+
 glm::mat4 product(const glm::mat4& a, const glm::mat4& b) {
   const pipeline::IeeeFloats floats;
-  glm::mat4 result;
-  for (int column = 0; column < 4; ++column) result[column] = product(a, b[column]);
-  return result;
+  const Columns columns = columns_of(a);
+  Columns result;
+  for (int i = 0; i < 4; ++i) result[static_cast<std::size_t>(i)] = sum_of_columns(columns, b[i]);
+  return std::bit_cast<glm::mat4>(result);
 }
 
 glm::vec4 product(const glm::mat4& m, const glm::vec4& v) {
   const pipeline::IeeeFloats floats;
-  return ((m[0] * v.x + m[1] * v.y) + m[2] * v.z) + m[3] * v.w;
+  return std::bit_cast<glm::vec4>(sum_of_columns(columns_of(m), v));
 }
+
+namespace {
+
+/// -1 / (k (k - 1)): what turns a term of the sine's or cosine's series, times r^2, into the next.
+constexpr std::array<double, 19> minus_reciprocal = [] {
+  std::array<double, 19> result{};
+  for (std::size_t k = 2; k < result.size(); ++k) result[k] = -1.0 / (static_cast<double>(k) * static_cast<double>(k - 1));
+  return result;
+}();
+
+}  // namespace
 
 SineCosine sine_cosine(double angle_rad) {
   // Reduce to r in [-pi/4, pi/4] by quadrants. The first two parts of pi/2 have 33 bits, so that their products with
@@ -31,8 +61,8 @@ SineCosine sine_cosine(double angle_rad) {
   // Taylor series: the first term left out is below 1e-17 for |r| <= pi/4.
   const double r2 = r * r;
   double sine = 0.0, cosine = 0.0;
-  for (int k = 17; k >= 3; k -= 2) sine = (1.0 + sine) * -r2 / (k * (k - 1.0));
-  for (int k = 18; k >= 2; k -= 2) cosine = (1.0 + cosine) * -r2 / (k * (k - 1.0));
+  for (std::size_t k = 17; k >= 3; k -= 2) sine = (1.0 + sine) * (r2 * minus_reciprocal[k]);
+  for (std::size_t k = 18; k >= 2; k -= 2) cosine = (1.0 + cosine) * (r2 * minus_reciprocal[k]);
   sine = r + r * sine;
   cosine = 1.0 + cosine;
 

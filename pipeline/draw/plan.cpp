@@ -252,6 +252,7 @@ Plan make_plan(const DrawState& state, TargetFormat target) {
       (plan.alpha_test && state.raster.alpha_test.func == CompareFunc::never) || state.raster.scissor.empty();
   plan.draws = (writes_color || (writes_depth && !none_passes) || plan.writes_stencil || plan.counts_samples) && !none_arrives;
   if (!plan.draws) return {};
+  plan.follows_matrices = !target.methods.warps_depth();  // that takes one projection for all
 
   // Which passes does that take?
   plan.depth = tests_depth && (writes_depth || state.raster.depth.func != CompareFunc::always);

@@ -30,6 +30,8 @@ struct Plan {
   bool draws = false;
   /// Primitives are reported instead of rasterized: no fragment passes.
   bool reports = false;
+  /// Vertices under other matrices may come in the same batch, as transform runs.
+  bool follows_matrices = false;
   /// VertexAttribute bits that the batch must hold besides positions.
   std::uint32_t vertex_demand = 0;
 

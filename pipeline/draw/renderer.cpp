@@ -21,6 +21,7 @@
 #include "pipeline/draw/pixel_draws.h"
 #include "pipeline/draw/sample_counter.h"
 #include "pipeline/draw/tiles.h"
+#include "pipeline/draw/transform_runs.h"
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/draw/visibility_methods.h"
 #include "pipeline/fragment/color_write.h"
@@ -162,25 +163,46 @@ void Renderer::Implementation::project(const DrawState& state) {
   if (methods.colors == InterpolationMethod::affine) forget_distances(0, vertices);
 }
 
+/// How the quads of range `i` are split: asked of every range in order.
+QuadSplit Renderer::Implementation::split_of(const DrawState& state, const VertexBatch& batch, std::size_t i) {
+  const PrimitiveRange& range = batch.primitives[i];
+  const bool in_pieces = unfilled || state.raster.polygon_stipple.enabled;
+  const bool lasting_diagonal = in_pieces || state.assembly.shade_model == ShadeModel::flat;
+  if (!lasting_diagonal && begins_quads(batch, i)) {
+    clipped_quads = (clipped_quads && !range.begins) || are_quads_clipped(batch, vertices, i);
+  }
+  const bool other_diagonal = lasting_diagonal || clipped_quads || range.indexed || range.origin == PrimitiveOrigin::display_list;
+  const bool far_half_first = range.mode == PrimitiveMode::quad_strip && (in_pieces || is_clipped(range, batch, vertices));
+  return {other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, far_half_first};
+}
+
+/// Assembles range `i`, and those after it that are to be drawn together with it: filled polygons whose vertices follow
+/// each other. `i` is then the next range. Returns all of them as one.
+PrimitiveRange Renderer::Implementation::assemble_ranges(const DrawState& state, const VertexBatch& batch, std::size_t& i) {
+  assembled.triangles.clear();
+  assembled.lines.clear();
+  assembled.points.clear();
+  PrimitiveRange all = batch.primitives[i];
+  assemble(all, split_of(state, batch, i++), assembled);
+  if (all.indexed) resolve_elements(batch.elements.data() + all.first, assembled);
+  if (unfilled) apply_edge_flags(all, batch.edge_flag.data(), assembled.triangles);
+  if (unfilled || smooth_polygons || phong || all.indexed || !is_polygonal(all.mode)) return all;
+  for (; i < batch.primitives.size(); ++i) {
+    const PrimitiveRange& next = batch.primitives[i];
+    if (next.indexed || !is_polygonal(next.mode) || next.first != all.first + all.count) break;
+    assemble(next, split_of(state, batch, i), assembled);
+    all.count += next.count;
+    all.begins |= next.begins;
+  }
+  return all;
+}
+
 /// In order, to the sample that is selected.
 void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   shared = {};
-  const bool in_pieces = unfilled || state.raster.polygon_stipple.enabled;
-  const bool lasting_diagonal = in_pieces || state.assembly.shade_model == ShadeModel::flat;
-  for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
-    const PrimitiveRange& range = batch.primitives[i];
-    if (phong && !batch.material_runs.empty()) select_material(batch, range);
-    if (!lasting_diagonal && begins_quads(batch, i)) {
-      clipped_quads = (clipped_quads && !range.begins) || are_quads_clipped(batch, vertices, i);
-    }
-    const bool other_diagonal = lasting_diagonal || clipped_quads || range.indexed || range.origin == PrimitiveOrigin::display_list;
-    assembled.triangles.clear();
-    assembled.lines.clear();
-    assembled.points.clear();
-    const bool far_half_first = range.mode == PrimitiveMode::quad_strip && (in_pieces || is_clipped(range, batch, vertices));
-    assemble(range, {other_diagonal ? QuadDiagonal::from_1_to_3 : QuadDiagonal::from_0_to_2, far_half_first}, assembled);
-    if (range.indexed) resolve_elements(batch.elements.data() + range.first, assembled);
-    if (unfilled) apply_edge_flags(range, batch.edge_flag.data(), assembled.triangles);
+  for (std::size_t i = 0; i < batch.primitives.size();) {
+    if (phong && !batch.material_runs.empty()) select_material(batch, batch.primitives[i]);
+    const PrimitiveRange range = assemble_ranges(state, batch, i);
     setup = filled_setup;
     draw_range_of_triangles(range);
     setup = outlined_setup;
@@ -264,7 +286,9 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
     self.run_vertex_stages(state, plan, varyings, batch);
     return report_primitives(state, plan, varyings, batch, self.vertices, *self.receiver);
   }
-  if (self.observer != nullptr) self.observer->draw(state, batch);
+  if (self.observer != nullptr) {
+    split_transform_runs(state, batch, [&](const DrawState& s, const VertexBatch& part) { self.observer->draw(s, part); });
+  }
   if (!plan.draws) return;
 
   const VaryingLayout varyings = make_varying_layout(state, plan, batch);

@@ -33,6 +33,8 @@ struct Renderer::Implementation {
   void prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const PlacedImage* image = nullptr);
   void project(const DrawState& state);
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
+  QuadSplit split_of(const DrawState& state, const VertexBatch& batch, std::size_t i);
+  PrimitiveRange assemble_ranges(const DrawState& state, const VertexBatch& batch, std::size_t& i);
   void draw_primitives(const DrawState& state, const VertexBatch& batch);
   void select_material(const VertexBatch& batch, const PrimitiveRange& range);
   void draw_samples(const DrawState& state, const VertexBatch& batch);

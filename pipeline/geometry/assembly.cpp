@@ -126,7 +126,7 @@ bool begins_quads(const VertexBatch& batch, std::size_t i) {
     return range.mode == PrimitiveMode::quads && !range.indexed && range.origin == PrimitiveOrigin::begin_end;
   };
   if (batch.primitives[i].mode != PrimitiveMode::quads) return false;
-  return i == 0 || !may_join(batch.primitives[i - 1]) || !may_join(batch.primitives[i]);
+  return i == 0 || batch.primitives[i].moved || !may_join(batch.primitives[i - 1]) || !may_join(batch.primitives[i]);
 }
 
 bool are_quads_clipped(const VertexBatch& batch, const ProcessedVertices& vertices, std::size_t i) {

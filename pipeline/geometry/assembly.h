@@ -17,12 +17,15 @@ struct AssembledPrimitives {
   std::vector<AssembledPoint> points;
 };
 
+/// Modes that give triangles.
+constexpr bool is_polygonal(PrimitiveMode mode) { return mode >= PrimitiveMode::triangles; }
+
 /// Along which diagonal separate quads are split. The specification leaves it open; it shows where attributes are not
 /// planar over the quad.
 /// choice: Mesa's rule (MESA-RULES 2.5), since programs' reference pictures come from there: from vertex 1 to 3 if they
 /// are flat, not filled, stippled, indexed or from a display list, or if a vertex of the quads that are drawn together
 /// lies outside the clip volume; else from 0 to 2. Together are those of a DrawArrays, or of Begin/End pairs that follow
-/// each other without another primitive between.
+/// each other without another primitive or another matrix between.
 enum class QuadDiagonal : std::uint8_t { from_0_to_2, from_1_to_3 };
 
 /// How the quads of a range are split. A strip's always along the diagonal from its first to its last vertex; the halves

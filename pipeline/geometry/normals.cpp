@@ -19,11 +19,10 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 template <bool normalize>
-HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const VertexBatch& batch,
-                               ProcessedArray<3>& out) {
+HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const VertexBatch& batch, std::size_t first,
+                               std::size_t end, ProcessedArray<3>& out) {
   const hn::CappedTag<double, 8> d;
   const hn::Rebind<float, decltype(d)> f;
-  const auto count = static_cast<std::size_t>(batch.count);
   const auto& in = batch.normal_object;
   [[maybe_unused]] const auto largest_double = hn::Set(d, std::numeric_limits<double>::max());
   [[maybe_unused]] const auto largest_float = hn::Set(d, std::numeric_limits<float>::max());
@@ -31,9 +30,9 @@ HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const Ver
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) m[column][row] = hn::Set(d, static_cast<double>(matrix[column][row]) * factor);
   }
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto x = hn::PromoteTo(d, hn::Load(f, &in[0][i])), y = hn::PromoteTo(d, hn::Load(f, &in[1][i]));
-    const auto z = hn::PromoteTo(d, hn::Load(f, &in[2][i]));
+  for (std::size_t i = first; i < end; i += hn::Lanes(d)) {
+    const auto x = hn::PromoteTo(d, hn::LoadU(f, &in[0][i])), y = hn::PromoteTo(d, hn::LoadU(f, &in[1][i]));
+    const auto z = hn::PromoteTo(d, hn::LoadU(f, &in[2][i]));
     hn::Vec<decltype(d)> n[3];
     for (int k = 0; k < 3; ++k) {
       n[k] = hn::Add(hn::Add(hn::Mul(x, m[0][k]), hn::Mul(y, m[1][k])), hn::Mul(z, m[2][k]));
@@ -47,17 +46,19 @@ HWY_INLINE void transform_with(const glm::mat3& matrix, double factor, const Ver
       // Targets disagree about what infinity becomes as a float.
       for (auto& component : n) component = hn::IfThenElseZero(hn::Le(hn::Abs(component), largest_float), component);
     }
-    for (std::size_t k = 0; k < 3; ++k) hn::Store(hn::DemoteTo(f, n[k]), f, &out[k][i]);
+    for (std::size_t k = 0; k < 3; ++k) hn::StoreU(hn::DemoteTo(f, n[k]), f, &out[k][i]);
   }
 }
 
-void transform(const TransformState& state, const VertexBatch& batch, ProcessedArray<3>& out) {
-  if (state.normal_scaling == NormalScaling::normalize) {
-    transform_with<true>(state.normal_matrix, 1.0, batch, out);
-  } else {
-    const bool rescale = state.normal_scaling == NormalScaling::rescale;
-    transform_with<false>(state.normal_matrix, rescale ? state.rescale_factor : 1.0, batch, out);
-  }
+void transform(const TransformState& of_all, const VertexBatch& batch, ProcessedArray<3>& out) {
+  for_each_transform(of_all, batch, [&](const TransformState& state, std::size_t first, std::size_t end) HWY_ATTR {
+    if (state.normal_scaling == NormalScaling::normalize) {
+      transform_with<true>(state.normal_matrix, 1.0, batch, first, end, out);
+    } else {
+      const bool rescale = state.normal_scaling == NormalScaling::rescale;
+      transform_with<false>(state.normal_matrix, rescale ? state.rescale_factor : 1.0, batch, first, end, out);
+    }
+  });
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE

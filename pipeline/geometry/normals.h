@@ -7,7 +7,7 @@
 
 namespace gouraud::pipeline {
 
-/// Fills normal_eye: the batch's normals times the normal matrix, then as they are, times the rescale factor, or of
+/// `state` has the matrix of a batch that has no transform runs. Fills normal_eye: the batch's normals times the normal matrix, then as they are, times the rescale factor, or of
 /// unit length. Computed in double, rounded to float once. Under `normalize` a normal that has no direction (zero, NaN
 /// or infinite) becomes zero: diffuse and specular light vanish there. Otherwise a component that is not finite does.
 void transform_normals(const TransformState& state, const VertexBatch& batch, ProcessedVertices& out);

@@ -106,16 +106,19 @@ void make_coordinates(const TextureCoordinateSource& source, const std::array<in
 }
 
 /// |z_eye| by the modelview's third row, with the bits of transform_to_eye.
-void fog_distances(const glm::mat4& modelview, const VertexBatch& batch, float* out) {
+void fog_distances(const TransformState& of_all, const VertexBatch& batch, float* out) {
   const hn::CappedTag<float, 16> d;
   const auto& p = batch.position_object;
-  const auto m0 = hn::Set(d, modelview[0][2]), m1 = hn::Set(d, modelview[1][2]);
-  const auto m2 = hn::Set(d, modelview[2][2]), m3 = hn::Set(d, modelview[3][2]);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); i += hn::Lanes(d)) {
-    const auto xy = hn::Add(hn::Mul(hn::Load(d, &p[0][i]), m0), hn::Mul(hn::Load(d, &p[1][i]), m1));
-    const auto z = hn::Add(hn::Add(xy, hn::Mul(hn::Load(d, &p[2][i]), m2)), hn::Mul(hn::Load(d, &p[3][i]), m3));
-    hn::Store(hn::Abs(z), d, out + i);
-  }
+  for_each_transform(of_all, batch, [&](const TransformState& state, std::size_t first, std::size_t end) HWY_ATTR {
+    const glm::mat4& modelview = state.modelview;
+    const auto m0 = hn::Set(d, modelview[0][2]), m1 = hn::Set(d, modelview[1][2]);
+    const auto m2 = hn::Set(d, modelview[2][2]), m3 = hn::Set(d, modelview[3][2]);
+    for (std::size_t i = first; i < end; i += hn::Lanes(d)) {
+      const auto xy = hn::Add(hn::Mul(hn::LoadU(d, &p[0][i]), m0), hn::Mul(hn::LoadU(d, &p[1][i]), m1));
+      const auto z = hn::Add(hn::Add(xy, hn::Mul(hn::LoadU(d, &p[2][i]), m2)), hn::Mul(hn::LoadU(d, &p[3][i]), m3));
+      hn::StoreU(hn::Abs(z), d, out + i);
+    }
+  });
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -178,7 +181,7 @@ void make_fog_coordinates(const TransformState& transform, const FogState& fog, 
   if (fog.from_coordinate) {
     std::copy_n(batch.fog_coordinate[0].data(), batch.count, out.data());
   } else {
-    GOURAUD_SIMD_PICK(fog_distances)(transform.modelview, batch, out.data());
+    GOURAUD_SIMD_PICK(fog_distances)(transform, batch, out.data());
   }
 }
 

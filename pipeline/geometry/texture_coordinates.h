@@ -23,7 +23,8 @@ bool q_is_one(const TextureCoordinateSource& source, const VertexBatch& batch, i
 void make_texture_coordinates(const TextureCoordinateSource& source, const TextureCoordinateLayout& layout, int unit,
                               const VertexBatch& batch, ProcessedVertices& out);
 
-/// The fog coordinate: the vertex's own, or the distance |z_eye| from the eye plane (MESA-RULES 6).
+/// The fog coordinate: the vertex's own, or the distance |z_eye| from the eye plane (MESA-RULES 6) by `transform`,
+/// unless the batch has transform runs.
 void make_fog_coordinates(const TransformState& transform, const FogState& fog, const VertexBatch& batch,
                           std::array<float, processed_stride>& out);
 

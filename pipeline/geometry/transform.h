@@ -7,6 +7,8 @@
 
 namespace gouraud::pipeline {
 
+/// `state` has the matrices of a batch that has no transform runs.
+///
 /// Fills position_clip by the combined matrix and sets `out.count` to the batch's. In float, each coordinate is
 /// ((x*m0 + y*m1) + z*m2) + w*m3 without fused operations: Mesa's bits (MESA-RULES 2.2).
 void transform_to_clip(const TransformState& state, const VertexBatch& batch, ProcessedVertices& out);

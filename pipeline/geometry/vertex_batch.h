@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -48,12 +49,19 @@ struct PrimitiveRange {
   /// The range is [first, first + count) of VertexBatch::elements, which name the vertices: some are shared.
   bool indexed = false;
   PrimitiveOrigin origin = PrimitiveOrigin::begin_end;
+  bool moved = false;  ///< a matrix has changed since the range before: a transform run starts here
 };
 
 /// From vertex `first` on, this material applies (glMaterial between vertices).
 struct MaterialRun {
   std::int32_t first = 0;
   MaterialPair material{};
+};
+
+/// From vertex `first` on, these matrices apply (glRotate between primitives).
+struct TransformRun {
+  std::int32_t first = 0;
+  TransformState transform{};
 };
 
 struct VertexBatch {
@@ -68,14 +76,32 @@ struct VertexBatch {
   std::vector<PrimitiveRange> primitives;      ///< in drawing order
   std::vector<std::uint16_t> elements;         ///< vertices of indexed ranges
   std::vector<MaterialRun> material_runs;      ///< ascending `first`; the DrawState's material applies before
+  /// Ascending `first`, the first one's 0. Empty: the DrawState's matrices apply to all vertices. A primitive has all its
+  /// vertices in one run.
+  std::vector<TransformRun> transform_runs;
 
   void clear() {
     count = 0;
     primitives.clear();
     elements.clear();
     material_runs.clear();
+    transform_runs.clear();
   }
 };
+
+/// Calls visit(transform, first, end) for the stretches [first, end) of vertices that go by the same matrices, in
+/// ascending order: what a kernel's last vector writes beyond `end` is overwritten.
+template <class Visit>
+void for_each_transform(const TransformState& of_all, const VertexBatch& batch, const Visit& visit) {
+  const auto count = static_cast<std::size_t>(batch.count);
+  if (batch.transform_runs.empty()) return visit(of_all, std::size_t{0}, count);
+  for (std::size_t i = 0; i < batch.transform_runs.size(); ++i) {
+    const TransformRun& run = batch.transform_runs[i];
+    const bool last = i + 1 == batch.transform_runs.size();
+    visit(run.transform, static_cast<std::size_t>(run.first),
+          last ? count : static_cast<std::size_t>(batch.transform_runs[i + 1].first));
+  }
+}
 
 /// Calls visit(attribute, arrays), arrays a VertexArray, for each float attribute in `demand`.
 template <class Visit>
