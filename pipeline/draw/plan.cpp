@@ -135,9 +135,10 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool has_varyings = plan.textured || plan.fog || plan.phong;
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured && !plan.phong;
+  const LanesWanted wanted = plan.textured || plan.phong ? LanesWanted::all : LanesWanted::covered;
   const auto shade = [&] {
     if (plan.colors && !plan.phong) passes.add(color_interpolation_pass(target.methods.colors));
-    if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors));
+    if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors, wanted));
     if (plan.phong) passes.add(phong_shading_pass());
     if (plan.textured) passes.add(packed ? texture_words_pass() : texture_pass());
     if (plan.secondary_color == SecondaryColor::interpolated) passes.add(color_sum_pass(target.color));

@@ -54,7 +54,8 @@ HWY_INLINE void blend_with_fog(FragmentBlock& block, float scale) {
   const Mode mode(fog);
   const float* coordinate = block.varying[static_cast<std::size_t>(binding.varyings.fog_coordinate)].data();
   const FloatVector color[3] = {hn::Set(d, fog.color.x * scale), hn::Set(d, fog.color.y * scale), hn::Set(d, fog.color.z * scale)};
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+  const PairRange pairs = covered_pairs(block.coverage);
+  for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(d)) {
     const FloatVector f = clamp_to_unit(d, mode.factor(hn::Load(d, coordinate + lane)));
     const FloatVector rest = hn::Sub(hn::Set(d, 1.0f), f);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -179,14 +179,14 @@ FragmentPass select_colors(InterpolationMethod method) {
   return pipeline::color_interpolation_pass();
 }
 
-FragmentPass select_varyings_method(InterpolationMethod method) {
+FragmentPass select_varyings_method(InterpolationMethod method, LanesWanted wanted) {
   switch (method) {
     case InterpolationMethod::affine8: return subdivide_varyings<8>;
     case InterpolationMethod::affine16: return subdivide_varyings<16>;
     case InterpolationMethod::barycentric: return mix_varyings;
     default: break;
   }
-  return pipeline::varying_interpolation_pass();
+  return pipeline::varying_interpolation_pass(wanted);
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -195,8 +195,8 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gouraud::pipeline {
 FragmentPass color_interpolation_pass(InterpolationMethod method) { return GOURAUD_SIMD_PICK(select_colors)(method); }
-FragmentPass varying_interpolation_pass(InterpolationMethod method) {
-  return GOURAUD_SIMD_PICK(select_varyings_method)(method);
+FragmentPass varying_interpolation_pass(InterpolationMethod method, LanesWanted wanted) {
+  return GOURAUD_SIMD_PICK(select_varyings_method)(method, wanted);
 }
 }  // namespace gouraud::pipeline
 #endif

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "pipeline/draw/methods.h"
+#include "pipeline/fragment/varyings.h"
 #include "pipeline/raster/fragment_block.h"
 
 namespace gouraud::pipeline {
@@ -10,6 +11,6 @@ namespace gouraud::pipeline {
 /// The passes that stand in for color_interpolation_pass and varying_interpolation_pass: those themselves for methods that need no
 /// others.
 FragmentPass color_interpolation_pass(InterpolationMethod method);
-FragmentPass varying_interpolation_pass(InterpolationMethod method);
+FragmentPass varying_interpolation_pass(InterpolationMethod method, LanesWanted wanted);
 
 }  // namespace gouraud::pipeline

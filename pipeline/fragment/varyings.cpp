@@ -39,14 +39,15 @@ HWY_INLINE FloatVector first_distance(const BlockPlane& plane, float x, float y,
 }
 
 template <bool clamp, class Scale>
-HWY_INLINE void store_lanes(const BlockPlane& plane, float x, float y, const VaryingPlane& varying, const Scale& scale,
-                            float* lanes) {
+HWY_INLINE void store_lanes(const BlockPlane& plane, float x, float y, const VaryingPlane& varying, PairRange pairs,
+                            const Scale& scale, float* lanes) {
   const FloatTag d;
   const FloatVector base = hn::Set(d, plane.base), step = pair_step(plane);
   const FloatVector low = hn::Set(d, varying.minimum), high = hn::Set(d, varying.maximum);
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
     FloatVector distance = first_distance(plane, x, y, offset);
-    for (std::size_t pair = 0; pair < row_pairs; ++pair, distance = hn::Add(distance, step)) {
+    for (std::size_t pair = 0; pair < pairs.first; ++pair) distance = hn::Add(distance, step);
+    for (std::size_t pair = pairs.first; pair < pairs.end; ++pair, distance = hn::Add(distance, step)) {
       const std::size_t lane = pair * pair_lanes + offset;
       FloatVector value = hn::Add(base, scale(distance, lane));
       if constexpr (clamp) value = clamp_lanes(value, low, high);
@@ -56,7 +57,7 @@ HWY_INLINE void store_lanes(const BlockPlane& plane, float x, float y, const Var
 }
 
 template <bool clamp>
-HWY_INLINE void interpolate_affine(FragmentBlock& block, const VaryingRecord& record, std::size_t count) {
+HWY_INLINE void interpolate_affine(FragmentBlock& block, const VaryingRecord& record, std::size_t count, PairRange pairs) {
   const VaryingPlane* planes = planes_of(record);
   for (std::size_t k = 0; k < count; ++k) {
     const VaryingPlane& p = planes[k];
@@ -67,12 +68,12 @@ HWY_INLINE void interpolate_affine(FragmentBlock& block, const VaryingRecord& re
     }
     const BlockPlane plane{static_cast<float>((p.origin + p.dx * block.x) + p.dy * block.y), static_cast<float>(p.dx),
                            static_cast<float>(p.dy)};
-    store_lanes<clamp>(plane, 0, 0, p, [](FloatVector distance, std::size_t) HWY_ATTR { return distance; }, lanes);
+    store_lanes<clamp>(plane, 0, 0, p, pairs, [](FloatVector distance, std::size_t) HWY_ATTR { return distance; }, lanes);
   }
 }
 
 template <bool clamp>
-HWY_INLINE void interpolate_perspective(FragmentBlock& block, const VaryingRecord& record, std::size_t count) {
+HWY_INLINE void interpolate_perspective(FragmentBlock& block, const VaryingRecord& record, std::size_t count, PairRange pairs) {
   const FloatTag d;
   // Start from the corner where 1/w is largest: wherever the primitive covers a lane, it is positive there.
   const std::int32_t corner_x = record.inverse_w_dx > 0 ? 7 : 0, corner_y = record.inverse_w_dy > 0 ? 7 : 0;
@@ -87,7 +88,8 @@ HWY_INLINE void interpolate_perspective(FragmentBlock& block, const VaryingRecor
   const FloatVector low = hn::Set(d, record.inverse_w_minimum), high = hn::Set(d, record.inverse_w_maximum);
   for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
     FloatVector distance = first_distance(plane_w, from_x, from_y, offset);
-    for (std::size_t pair = 0; pair < row_pairs; ++pair, distance = hn::Add(distance, pair_step(plane_w))) {
+    for (std::size_t pair = 0; pair < pairs.first; ++pair) distance = hn::Add(distance, pair_step(plane_w));
+    for (std::size_t pair = pairs.first; pair < pairs.end; ++pair, distance = hn::Add(distance, pair_step(plane_w))) {
       FloatVector q = hn::Add(hn::Set(d, plane_w.base), distance);
       if constexpr (clamp) q = clamp_lanes(q, low, high);
       hn::Store(hn::Div(hn::Set(d, 1.0f), q), d, lane_w + pair * pair_lanes + offset);
@@ -108,28 +110,33 @@ HWY_INLINE void interpolate_perspective(FragmentBlock& block, const VaryingRecor
     const auto scale = [&](FloatVector distance, std::size_t lane) HWY_ATTR {
       return hn::Mul(distance, hn::Load(d, lane_w + lane));
     };
-    store_lanes<clamp>(plane, from_x, from_y, p, scale, lanes);
+    store_lanes<clamp>(plane, from_x, from_y, p, pairs, scale, lanes);
   }
 }
 
+template <LanesWanted wanted>
 void interpolate_varyings(FragmentBlock& block, const TileTarget&) {
   const PrimitiveRecord& primitive = *block.primitive;
   const VaryingRecord& record = varyings_of(primitive);
   const auto count = static_cast<std::size_t>(primitive.binding->varyings.count);
+  const PairRange pairs = wanted == LanesWanted::all ? PairRange{0, row_pairs} : covered_pairs(block.coverage);
   if (record.perspective) {
-    record.clamp ? interpolate_perspective<true>(block, record, count) : interpolate_perspective<false>(block, record, count);
+    record.clamp ? interpolate_perspective<true>(block, record, count, pairs)
+                 : interpolate_perspective<false>(block, record, count, pairs);
   } else {
-    record.clamp ? interpolate_affine<true>(block, record, count) : interpolate_affine<false>(block, record, count);
+    record.clamp ? interpolate_affine<true>(block, record, count, pairs) : interpolate_affine<false>(block, record, count, pairs);
   }
 }
 
-FragmentPass select_varyings() { return interpolate_varyings; }
+FragmentPass select_varyings(LanesWanted wanted) {
+  return wanted == LanesWanted::all ? interpolate_varyings<LanesWanted::all> : interpolate_varyings<LanesWanted::covered>;
+}
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
-FragmentPass varying_interpolation_pass() { return GOURAUD_SIMD_PICK(select_varyings)(); }
+FragmentPass varying_interpolation_pass(LanesWanted wanted) { return GOURAUD_SIMD_PICK(select_varyings)(wanted); }
 }  // namespace gouraud::pipeline
 #endif
