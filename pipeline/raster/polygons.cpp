@@ -28,6 +28,19 @@ using IntVector = hn::Vec<IntTag>;
 alignas(64) constexpr std::int32_t lane_column[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
 alignas(64) constexpr std::int32_t lane_row[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 
+/// The blocks of a row of the tile.
+using BlockTag = hn::CappedTag<std::int32_t, blocks_per_tile_row>;
+using IntBlocks = hn::Vec<BlockTag>;
+alignas(64) constexpr std::int32_t first_column[blocks_per_tile_row] = {0, 8, 16, 24, 32, 40, 48, 56};  ///< their first pixels
+static_assert(blocks_per_tile_row == 8 && block_size == 8);
+
+HWY_INLINE std::uint32_t negative(IntBlocks v) {
+  const BlockTag d;
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(d, hn::Lt(v, hn::Zero(d)), reinterpret_cast<std::uint8_t*>(&bits));
+  return static_cast<std::uint32_t>(bits);
+}
+
 /// An edge's values in the lanes of a row pair, relative to lane 0, and from one pair to the next.
 HWY_INLINE IntVector edge_pattern(std::int32_t a, std::int32_t b, std::size_t offset) {
   const IntTag d;
@@ -39,19 +52,6 @@ HWY_INLINE std::uint64_t not_negative(IntVector v) {
   std::uint64_t bits = 0;
   hn::StoreMaskBits(d, hn::Gt(v, hn::Set(d, -1)), reinterpret_cast<std::uint8_t*>(&bits));
   return bits;
-}
-
-/// Lanes of a block on the inner side of an edge whose value at lane 0 is `value`.
-HWY_INLINE std::uint64_t inside(std::int32_t value, std::int32_t a, std::int32_t b) {
-  const IntTag d;
-  std::uint64_t mask = 0;
-  for (std::size_t offset = 0; offset < 16; offset += hn::Lanes(d)) {
-    IntVector v = hn::Add(hn::Set(d, value), edge_pattern(a, b, offset));
-    for (std::size_t pair = 0; pair < 4; ++pair, v = hn::Add(v, hn::Set(d, 2 * b))) {
-      mask |= not_negative(v) << (pair * 16 + offset);
-    }
-  }
-  return mask;
 }
 
 /// Lanes of a block inside three edges, without a branch.
@@ -213,19 +213,37 @@ HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const Til
   for (std::size_t i = 0; i < count; ++i) emit(primitive, found[i].column, found[i].row, found[i].coverage, way);
 }
 
-/// Many blocks: those wholly on one side of an edge skip its evaluation.
+/// A row of a tile's blocks, as bits: those that an edge has wholly on its outer side, and those that it crosses.
+struct BlockRow {
+  std::uint32_t outside, crossed;
+};
+HWY_INLINE BlockRow look_at_row(const TileEdge (&edges)[3], std::int32_t row) {
+  const BlockTag d;
+  BlockRow result{0, 0};
+  for (std::size_t first = 0; first < blocks_per_tile_row; first += hn::Lanes(d)) {
+    IntBlocks most = hn::Zero(d), least = hn::Zero(d);  // negative where they are for one of the edges
+    for (const TileEdge& e : edges) {
+      const IntBlocks column = hn::Load(d, first_column + first);
+      const IntBlocks value = hn::Add(hn::Mul(column, hn::Set(d, e.a)), hn::Set(d, e.value + e.b * (row * block_size)));
+      most = hn::Or(most, hn::Add(value, hn::Set(d, e.most)));
+      least = hn::Or(least, hn::Add(value, hn::Set(d, e.least)));
+    }
+    result.outside |= negative(most) << first;
+    result.crossed |= negative(least) << first;
+  }
+  return result;
+}
+
+/// Many blocks: those wholly on one side of all edges skip their evaluation.
 template <class Way>
-HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const TileEdge* edges, int edge_count,
-                                      const BlockBox& box, Way& way) {
+HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const TileEdge (&edges)[3], const BlockBox& box, Way& way) {
+  const std::uint32_t columns = (2u << box.x1) - (1u << box.x0);
   for (std::int32_t row = box.y0; row <= box.y1; ++row) {
-    for (std::int32_t column = box.x0; column <= box.x1; ++column) {
-      std::uint64_t coverage = ~std::uint64_t{0};
-      for (int k = 0; k < edge_count && coverage != 0; ++k) {
-        const TileEdge& edge = edges[k];
-        const std::int32_t value = edge.value + edge.a * (column * block_size) + edge.b * (row * block_size);
-        if (value + edge.most < 0) coverage = 0;
-        if (value + edge.least < 0) coverage &= inside(value, edge.a, edge.b);
-      }
+    const BlockRow blocks = look_at_row(edges, row);
+    for (std::uint32_t left = columns & ~blocks.outside; left != 0; left &= left - 1) {
+      const auto column = static_cast<std::int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
+      const bool crossed = (blocks.crossed >> column & 1) != 0;
+      const std::uint64_t coverage = crossed ? inside_all(edges, column * block_size, row * block_size) : ~std::uint64_t{0};
       if (coverage != 0) emit(primitive, column, row, coverage, way);
     }
   }
@@ -258,7 +276,7 @@ HWY_INLINE void rasterize_edges(const PrimitiveRecord& primitive, Way& way) {
   if ((box.x1 - box.x0 + 1) * (box.y1 - box.y0 + 1) <= few_blocks) {
     rasterize_few_blocks(primitive, edges, box, way);
   } else {
-    rasterize_many_blocks(primitive, edges, edge_count, box, way);
+    rasterize_many_blocks(primitive, edges, box, way);
   }
 }
 
