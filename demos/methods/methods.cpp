@@ -1,6 +1,7 @@
 // Every way to do a step: a key a step changes its method; the title shows milliseconds and the error that it makes.
 // Keys 1 to 9, then a, b, ...: the steps in the order of the list, 0: all defaults. --methods "coverage=scanline,colors=affine" begins so.
 // The error is against the same frame drawn with the defaults, which keep to the oracle within rounding.
+// p: the next projection (projections.cpp): perspective, orthographic, oblique, and perspective by left-handed matrices.
 #include <GL/gl.h>
 #include <GL/gouraud.h>
 
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "demos/methods/projections.h"
 #include "demos/shell/circle.h"
 #include "demos/shell/font.h"
 #include "demos/shell/images.h"
@@ -32,6 +34,7 @@ std::string first_methods;
 int width_px = 0, height_px = 0;
 unsigned font = 0, checker_texture = 0;
 std::string status_text;
+int projection = 0;
 
 // The library's own table: lines of step, method, what it does, source.
 void read_table() {
@@ -69,6 +72,7 @@ std::string chosen_methods() {
 }
 
 void window_coordinates() {
+  glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
   glMatrixMode(GL_PROJECTION);
   glLoadIdentity();
   glOrtho(0, width_px, 0, height_px, -1, 1);
@@ -78,8 +82,9 @@ void window_coordinates() {
 
 // A checker to the horizon, and a ball of few faces.
 void draw_perspective() {
-  shell::set_camera(width_px, height_px, 50, 0.3, 60);
-  glLoadIdentity();
+  set_projection(projection, width_px, height_px, 5.1);
+  const GLfloat position[] = {4, 5, 6, 0};  // of the camera's space, whichever hand that has
+  glLightfv(GL_LIGHT0, GL_POSITION, position);
   shell::look_at({0, 1.6f, 5}, {0, 0.7f, 0}, {0, 1, 0});
   glEnable(GL_DEPTH_TEST);
   glColor3f(1, 1, 1);
@@ -187,14 +192,17 @@ void draw_list() {
   gouraudMethods("");
   window_coordinates();
   glColor3f(0.1f, 0.12f, 0.16f);
-  glRecti(4, 6, 190, 14 + shell::line_height_px * static_cast<int>(steps.size()));
-  int y = 12 + shell::line_height_px * static_cast<int>(steps.size() - 1);
+  glRecti(4, 6, 240, 14 + shell::line_height_px * static_cast<int>(steps.size() + 1));
+  int y = 12 + shell::line_height_px * static_cast<int>(steps.size());
   for (size_t i = 0; i < steps.size(); ++i, y -= shell::line_height_px) {
     const bool is_default = steps[i].chosen == 0;
     glColor3f(1, is_default ? 1.0f : 0.8f, is_default ? 1.0f : 0.2f);
     glRasterPos2i(10, y);
     shell::draw_text(font, (key_of(i) + (" " + steps[i].name) + ": " + steps[i].methods[steps[i].chosen]).c_str());
   }
+  glColor3f(1, projection == 0 ? 1.0f : 0.8f, projection == 0 ? 1.0f : 0.2f);
+  glRasterPos2i(10, y);
+  shell::draw_text(font, (std::string("p projection: ") + projection_name(projection)).c_str());
 }
 
 void init() {
@@ -209,8 +217,8 @@ void init() {
                              }));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-  const GLfloat position[] = {4, 5, 6, 0}, material[] = {0.3f, 0.5f, 0.8f, 1}, white[] = {1, 1, 1, 1};
-  glLightfv(GL_LIGHT0, GL_POSITION, position);
+  const GLfloat material[] = {0.3f, 0.5f, 0.8f, 1}, white[] = {1, 1, 1, 1};
+  glLightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, 1);  // the viewer far away would stand at +z: GL's hand
   glMaterialfv(GL_FRONT, GL_AMBIENT_AND_DIFFUSE, material);
   glMaterialfv(GL_FRONT, GL_SPECULAR, white);
   glMaterialf(GL_FRONT, GL_SHININESS, 40);
@@ -226,6 +234,8 @@ void reshape(int width, int height) {
 }
 
 void key(int key) {
+  if (key == 'p') projection = (projection + 1) % projection_count;
+  if (key == '0') projection = 0;
   for (size_t i = 0; i < steps.size(); ++i) {
     if (key == '0') steps[i].chosen = 0;
     if (key == key_of(i)) steps[i].chosen = (steps[i].chosen + 1) % steps[i].methods.size();
@@ -255,7 +265,7 @@ int main(int argc, char** argv) {
   arguments.push_back(nullptr);
   return shell::run(static_cast<int>(arguments.size()) - 1, arguments.data(),
                     {.name = "methods",
-                     .keys_help = "1 to 9 and the letters from a on change the methods of the steps in the list, 0 resets them; --methods \"step=name,...\" begins so",
+                     .keys_help = "1 to 9 and the letters from a on change the methods of the steps in the list, 0 resets them; p: the next projection (perspective, orthographic, oblique, left-handed); --methods \"step=name,...\" begins so",
                      .width_px = 640,
                      .height_px = 480,
                      .init = init,
