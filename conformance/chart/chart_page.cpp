@@ -65,11 +65,19 @@ function plot(parent, points, label, open) {
     path += i === 0 ? `M${px} ${py}` : `H${px} V${py}`;
   });
   draw('path', svg, { class: 'front', d: path });
+  // Labels that would lie over each other move up.
+  const placed = [];
+  const freeHeight = (px, py) => {
+    let free = py;
+    while (placed.some(o => Math.abs(o.px - px) < 120 && Math.abs(o.py - free) < 11) && free > top) free -= 11;
+    placed.push({ px, py: free });
+    return free;
+  };
   for (const p of points) {
     const px = x(Math.log10(p.time)), py = y(Math.log10(Math.max(p.error, least)));
     const dot = draw('circle', svg, { cx: px, cy: py, r: p.owner === 'default' ? 7 : 5, fill: colors[p.owner] });
     draw('title', dot, {}, `${p.name}: time ${short(p.time)}, error ${short(p.error)}`);
-    draw('text', svg, { x: px + 8, y: py + 4 }, p.name);
+    draw('text', svg, { x: px + 8, y: freeHeight(px, py) + 4 }, p.name);
     if (open) dot.addEventListener('click', () => open(p.entry));
   }
 }

@@ -37,6 +37,7 @@ OffscreenContext::OffscreenContext(const OsmesaFunctions& osmesa, int width_px, 
       context_(osmesa.CreateContextExt(GL_RGBA, depth_bits, depth_bits == 24 ? 8 : 0, 16, nullptr)),
       width_px_(width_px),
       height_px_(height_px),
+      depth_bits_(depth_bits),
       color_(static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) * 4) {
   if (context_ == nullptr) throw std::runtime_error("OSMesaCreateContextExt gave no context");
   if (!osmesa_.MakeCurrent(context_, color_.data(), GL_UNSIGNED_BYTE, width_px, height_px)) {
@@ -54,6 +55,15 @@ OffscreenContext::~OffscreenContext() {
   osmesa_.DestroyContext(context_);
 }
 
+// Of the current context; empty if the library has none.
+std::string OffscreenContext::methods_in_use() const {
+  void* const address = osmesa_.GetProcAddress("gouraudMethodsInUse");
+  if (address == nullptr) return {};
+  const char* (*in_use)() = nullptr;
+  std::memcpy(&in_use, &address, sizeof in_use);
+  return in_use();
+}
+
 Picture OffscreenContext::read() {
   gl_.Finish();
   Picture picture;
@@ -67,14 +77,19 @@ Picture OffscreenContext::read() {
   if (width != width_px_ || height != height_px_ || (bytes_per_value != 2 && bytes_per_value != 4)) {
     throw std::runtime_error("OSMesaGetDepthBuffer describes another buffer");
   }
-  picture.depth_bits = bytes_per_value == 2 ? 16 : 24;
+  const std::string methods = methods_in_use();
+  const auto uses = [&](const char* method) { return methods.find(method) != methods.npos; };
+  const bool reversed = uses("depth=reversed"), is_wide = reversed || uses("depth=float") || uses("depth=z32");
+  const int stored_bits = bytes_per_value == 2 ? 16 : is_wide ? 32 : 24;
+  picture.depth_bits = uses("depth=") ? depth_bits_ : stored_bits;
+  const auto largest = [](int bits) { return static_cast<double>((std::uint64_t{1} << bits) - 1); };
+  const double largest_stored = largest(stored_bits), scale = largest(picture.depth_bits) / largest_stored;
   picture.depth.resize(picture.pixel_count());
   for (std::size_t i = 0; i < picture.depth.size(); ++i) {
-    if (bytes_per_value == 2) {
-      picture.depth[i] = static_cast<const std::uint16_t*>(buffer)[i];
-    } else {
-      picture.depth[i] = static_cast<const std::uint32_t*>(buffer)[i] & 0xFFFFFFu;  // stencil is above
-    }
+    std::uint32_t word = bytes_per_value == 2 ? static_cast<const std::uint16_t*>(buffer)[i] : static_cast<const std::uint32_t*>(buffer)[i];
+    if (stored_bits == 24) word &= 0xFFFFFFu;  // stencil is above
+    if (scale != 1 || reversed) word = static_cast<std::uint32_t>(std::nearbyint((reversed ? largest_stored - word : word) * scale));
+    picture.depth[i] = word;
   }
   return picture;
 }

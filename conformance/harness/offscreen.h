@@ -35,7 +35,8 @@ class OffscreenContext {
   const GlTable& gl() const { return gl_; }
 
   /// Finishes, and copies colour and stored depth (size, rgba, depth, depth_bits) from the memory that OSMesa hands out:
-  /// no GL state that a scene may have left behind changes that.
+  /// no GL state that a scene may have left behind changes that. Where a method of ours stores depths otherwise, they are
+  /// in the units of the depth_bits that were asked for.
   Picture read();
 
   /// Pixels in which glReadPixels disagrees with `picture`, just read. The GL's pixel state must be initial.
@@ -47,7 +48,9 @@ class OffscreenContext {
  private:
   const OsmesaFunctions& osmesa_;
   void* context_;
-  int width_px_, height_px_;
+  std::string methods_in_use() const;
+
+  int width_px_, height_px_, depth_bits_;
   std::vector<std::uint8_t> color_;
   GlTable gl_;
 };
