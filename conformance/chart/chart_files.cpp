@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "conformance/chart/chart_page.h"
-#include "conformance/chart/plot.h"
+#include "conformance/probes/plot.h"
 #include "conformance/harness/png.h"
 
 namespace gouraud::chart {

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "conformance/chart/chart_files.h"
+#include "conformance/harness/options.h"
 
 namespace gouraud::chart {
 namespace {
@@ -39,14 +40,10 @@ struct Options {
 Options parse_options(std::span<char*> arguments) {
   Options options;
   options.out = std::filesystem::path(options.paths.programs).parent_path() / "chart";
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string_view option = arguments[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= arguments.size()) throw std::runtime_error(std::string(option) + " needs a value");
-      return arguments[++i];
-    };
+  for (conformance::OptionWords words(arguments); words.next();) {
+    const std::string_view option = words.option();
     if (option == "--out") {
-      options.out = value();
+      options.out = words.value();
     } else if (option == "--quick") {
       options.chart.rounds = 3;
       options.chart.area_grid = 11;
@@ -56,18 +53,18 @@ Options parse_options(std::span<char*> arguments) {
       options.chart.area_grid = 2;
       options.chart.least_sample_s = 0;
     } else if (option == "--only") {
-      options.chart.only.push_back(value());
+      options.chart.only.push_back(words.value());
     } else if (option == "--method") {
-      options.chart.contestants.push_back(value());
+      options.chart.contestants.push_back(words.value());
     } else if (option == "--library") {
-      options.paths.our_library = value();
+      options.paths.our_library = words.value();
     } else if (option == "--list") {
       options.list = true;
     } else if (option == "--help") {
       std::fputs(usage, stdout);
       std::exit(0);
     } else {
-      throw std::runtime_error(std::string(option) + " is no option\n" + usage);
+      words.refuse(usage);
     }
   }
   return options;

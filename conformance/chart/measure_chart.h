@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "conformance/chart/contestants.h"
+#include "conformance/probes/contestants.h"
 #include "conformance/chart/pareto.h"
-#include "conformance/chart/reference.h"
+#include "conformance/probes/reference.h"
 #include "conformance/chart/scenes.h"
 
 namespace gouraud::chart {

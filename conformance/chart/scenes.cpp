@@ -13,10 +13,10 @@ const std::vector<ChartScene>& chart_scenes() {
   return scenes;
 }
 
-std::vector<Probe> chart_probes() {
-  std::vector<Probe> probes;
-  for (const ChartScene& scene : chart_scenes()) probes.push_back(scene.probe);
-  return probes;
-}
-
 }  // namespace gouraud::chart
+
+std::vector<gouraud::probes::Probe> gouraud::probes::chart_probes() {
+  std::vector<Probe> all;
+  for (const chart::ChartScene& scene : chart::chart_scenes()) all.push_back(scene.probe);
+  return all;
+}

@@ -4,9 +4,11 @@
 #include <string_view>
 #include <vector>
 
-#include "conformance/chart/probe.h"
+#include "conformance/probes/probe.h"
 
 namespace gouraud::chart {
+
+using namespace probes;  // the chart is made of them
 
 enum class ReferenceKind : std::uint8_t {
   exact,      ///< the oracle's picture of the scene

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <functional>
@@ -18,6 +19,7 @@
 #include "conformance/harness/accepted.h"
 #include "conformance/harness/drivers.h"
 #include "conformance/harness/hash_check.h"
+#include "conformance/harness/options.h"
 #include "conformance/harness/report.h"
 
 namespace gouraud::conformance {
@@ -50,22 +52,18 @@ struct Options {
 
 Options parse_options(std::span<char*> arguments) {
   Options options;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string_view option = arguments[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= arguments.size()) throw std::runtime_error(std::string(option) + " needs a value");
-      return arguments[++i];
-    };
+  for (conformance::OptionWords words(arguments); words.next();) {
+    const std::string_view option = words.option();
     if (option == "--scene") {
-      options.globs.push_back(value());
+      options.globs.push_back(words.value());
     } else if (option == "--report") {
-      options.report_folder = value();
+      options.report_folder = words.value();
     } else if (option == "--driver") {
-      options.candidate = value();
+      options.candidate = words.value();
     } else if (option == "--library") {
-      options.paths.our_library = value();
+      options.paths.our_library = words.value();
     } else if (option == "--accepted") {
-      options.accepted_folder = value();
+      options.accepted_folder = words.value();
     } else if (option == "--list") {
       options.list = true;
     } else if (option == "--verbose") {
@@ -78,8 +76,11 @@ Options parse_options(std::span<char*> arguments) {
       options.check_hashes = true;
     } else if (option == "--update-hashes") {
       options.update_hashes = true;
+    } else if (option == "--help") {
+      std::fputs(usage, stdout);
+      std::exit(0);
     } else {
-      throw std::runtime_error(std::string(option) + " is no option\n" + usage);
+      words.refuse(usage);
     }
   }
   return options;

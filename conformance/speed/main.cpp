@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "conformance/harness/channel.h"
 #include "conformance/harness/child_process.h"
 #include "conformance/harness/drivers.h"
+#include "conformance/harness/options.h"
 #include "conformance/speed/measure.h"
 #include "conformance/speed/workloads.h"
 
@@ -59,26 +61,25 @@ struct Options {
 
 Options parse_options(std::span<char*> arguments) {
   Options options;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string_view option = arguments[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= arguments.size()) throw std::runtime_error(std::string(option) + " needs a value");
-      return arguments[++i];
-    };
+  for (conformance::OptionWords words(arguments); words.next();) {
+    const std::string_view option = words.option();
     if (option == "--only") {
-      options.only.push_back(value());
+      options.only.push_back(words.value());
     } else if (option == "--repeat") {
-      options.repeat = std::max(1, std::stoi(value()));
+      options.repeat = std::max(1, std::stoi(words.value()));
     } else if (option == "--quick") {
       options.repeat = 3;
     } else if (option == "--json") {
-      options.json_file = value();
+      options.json_file = words.value();
     } else if (option == "--library") {
-      options.paths.our_library = value();
+      options.paths.our_library = words.value();
     } else if (option == "--list") {
       options.list = true;
+    } else if (option == "--help") {
+      std::fputs(usage, stdout);
+      std::exit(0);
     } else {
-      throw std::runtime_error(std::string(option) + " is no option\n" + usage);
+      words.refuse(usage);
     }
   }
   return options;

@@ -16,7 +16,7 @@ constexpr int width = 160, height = 120;
 
 /// A rectangle on the screen whose right side is `knob` times as far away as its left.
 Drawing perspective_slope(const GlTable& gl, double knob) {
-  chart::project_pixels(gl, width, height);
+  probes::project_pixels(gl, width, height);
   return {[w = static_cast<float>(knob)](const GlTable& table) {
     clear_background(table);
     table.Begin(GL_TRIANGLE_STRIP);
@@ -33,7 +33,7 @@ Drawing lit_ball(const GlTable& gl, int stacks, float shininess, int cuts) {
   conformance::black_lighting(gl, 1);
   gl.Enable(GL_NORMALIZE);
   gl.Enable(GL_DEPTH_TEST);
-  chart::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 20), width, height);
+  probes::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 20), width, height);
   conformance::load_model_view(gl, conformance::multiply(conformance::translation(0, 0, -4), conformance::rotation(33, 1)));
   conformance::light(gl, GL_LIGHT0, GL_POSITION, {3, 4, 6, 1});
   for (const GLenum term : {GL_DIFFUSE, GL_SPECULAR}) conformance::light(gl, GL_LIGHT0, term, {0.9f, 0.9f, 0.9f, 1});
@@ -80,7 +80,7 @@ Drawing moire(const GlTable&, double knob) {
       conformance::Matrix moved = camera;
       moved[8] = static_cast<float>(camera[8] - 2 * dx / moire_width);
       moved[9] = static_cast<float>(camera[9] - 2 * dy / moire_height);
-      chart::project(table, moved, moire_width, moire_height);
+      probes::project(table, moved, moire_width, moire_height);
       conformance::load_model_view(table, conformance::multiply(conformance::rotation(9, 0), conformance::translation(0, -1.5f, 0)));
       clear_background(table);
       table.Begin(GL_QUADS);

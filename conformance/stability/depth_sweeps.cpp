@@ -43,7 +43,7 @@ void draw_walls(const GlTable& gl, float distance) {
 Drawing walls(const GlTable& gl, double knob) {
   const Range range = range_of(knob);
   gl.Enable(GL_DEPTH_TEST);
-  chart::project(gl, conformance::perspective(60, static_cast<float>(width) / height, range.near, range.far), width, height);
+  probes::project(gl, conformance::perspective(60, static_cast<float>(width) / height, range.near, range.far), width, height);
   return {[range](const GlTable& table) {
     clear_background(table);
     draw_walls(table, range.distance);
@@ -64,7 +64,7 @@ Drawing float_walls(const GlTable& gl, double knob, bool reversed) {
     gl.DepthFunc(GL_GREATER);
     gl.ClearDepth(0);
   }
-  chart::project(gl, matrix, width, height);
+  probes::project(gl, matrix, width, height);
   GLuint framebuffer = 0;
   std::array<GLuint, 2> buffers{};
   gl.GenFramebuffers(1, &framebuffer);
@@ -120,7 +120,7 @@ Drawing cycle(const GlTable& gl, double knob) {
 /// Cards in the plane of a board that leans by `knob` degrees, with polygon offset or without it.
 Drawing decals(const GlTable& gl, double knob, float factor, float units) {
   gl.Enable(GL_DEPTH_TEST);
-  chart::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 30), width, height);
+  probes::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 30), width, height);
   conformance::load_model_view(gl, conformance::multiply(conformance::translation(0, 0, -5), conformance::rotation(static_cast<float>(-knob), 0)));
   return {[factor, units](const GlTable& table) {
     clear_background(table);

@@ -15,7 +15,7 @@ constexpr int width = 240, height = 180;
 
 /// 48 needles in all directions, `knob` pixels thick at one end.
 Drawing slivers(const GlTable& gl, double knob) {
-  chart::project_pixels(gl, width, height);
+  probes::project_pixels(gl, width, height);
   return {[knob](const GlTable& table) {
     conformance::clear_background(table);
     Random random(6);
@@ -36,7 +36,7 @@ Drawing slivers(const GlTable& gl, double knob) {
 
 /// A net of triangles of `knob` pixels with jittered corners, each blended ONE/ONE with one step of 255.
 Drawing net(const GlTable& gl, double knob) {
-  chart::project_pixels(gl, width, height);
+  probes::project_pixels(gl, width, height);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE);
   const int columns = static_cast<int>(width / knob) + 1, rows = static_cast<int>(height / knob) + 1;
@@ -70,7 +70,7 @@ constexpr int long_width = 16384, long_height = 8;
 
 /// A band of triangles whose edges are about `knob` pixels long, blended ONE/ONE.
 Drawing band(const GlTable& gl, double knob) {
-  chart::project_pixels(gl, long_width, long_height);
+  probes::project_pixels(gl, long_width, long_height);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE);
   return {[knob](const GlTable& table) {

@@ -22,7 +22,7 @@ Drawing ball(const GlTable& gl, const Lamp& lamp) {
   conformance::black_lighting(gl, 1);
   gl.Enable(GL_DEPTH_TEST);
   gl.Enable(GL_NORMALIZE);
-  chart::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 20), width, height);
+  probes::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 20), width, height);
   conformance::load_model_view(gl, conformance::translation(0, 0, -4));
   conformance::light(gl, GL_LIGHT0, GL_POSITION, lamp.position);
   const std::array<float, 3> down{-2, -3, -4};

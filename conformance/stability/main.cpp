@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <span>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "conformance/harness/options.h"
 #include "conformance/stability/report.h"
 
 namespace gouraud::stability {
@@ -35,26 +37,25 @@ struct Options {
 Options parse_options(std::span<char*> arguments) {
   Options options;
   options.out = std::filesystem::path(options.paths.programs).parent_path() / "stability";
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string_view option = arguments[i];
-    const auto value = [&]() -> std::string {
-      if (i + 1 >= arguments.size()) throw std::runtime_error(std::string(option) + " needs a value");
-      return arguments[++i];
-    };
+  for (conformance::OptionWords words(arguments); words.next();) {
+    const std::string_view option = words.option();
     if (option == "--out") {
-      options.out = value();
+      options.out = words.value();
     } else if (option == "--only") {
-      options.only.push_back(value());
+      options.only.push_back(words.value());
     } else if (option == "--method") {
-      options.contestants.push_back(value());
+      options.contestants.push_back(words.value());
     } else if (option == "--library") {
-      options.paths.our_library = value();
+      options.paths.our_library = words.value();
     } else if (option == "--tables") {
       options.tables = true;
     } else if (option == "--list") {
       options.list = true;
+    } else if (option == "--help") {
+      std::fputs(usage, stdout);
+      std::exit(0);
     } else {
-      throw std::runtime_error(std::string(option) + " is no option\n" + usage);
+      words.refuse(usage);
     }
   }
   return options;
@@ -66,8 +67,8 @@ bool is_wanted(const std::vector<std::string>& names, std::string_view name) {
 
 int run(std::span<char*> arguments) {
   const Options options = parse_options(arguments);
-  std::vector<chart::Contestant> contestants = chart::all_contestants(options.paths);
-  std::erase_if(contestants, [&](const chart::Contestant& contestant) { return !is_wanted(options.contestants, contestant.name); });
+  std::vector<probes::Contestant> contestants = probes::all_contestants(options.paths);
+  std::erase_if(contestants, [&](const probes::Contestant& contestant) { return !is_wanted(options.contestants, contestant.name); });
   std::vector<SweepResult> results;
   for (const Sweep& sweep : all_sweeps()) {
     if (options.list) std::printf("%-24s %s\n", std::string(sweep.probe.name).c_str(), std::string(sweep.probe.shows).c_str());

@@ -47,7 +47,7 @@ Drawing flushed_ball(const GlTable& gl, double knob, float scale) {
   conformance::black_lighting(gl, 1);
   gl.Enable(GL_NORMALIZE);
   gl.Enable(GL_DEPTH_TEST);
-  chart::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 20), width, height);
+  probes::project(gl, conformance::perspective(40, static_cast<float>(width) / height, 1, 20), width, height);
   conformance::load_model_view(gl, conformance::translation(0, 0, -4));
   conformance::light(gl, GL_LIGHT0, GL_POSITION, {2, 3, 4, 1});
   conformance::light(gl, GL_LIGHT0, GL_DIFFUSE, {0.9f, 0.8f, 0.7f, 1});

@@ -25,7 +25,7 @@ void triangle(const GlTable& gl, const std::array<std::array<float, 4>, 3>& corn
 /// A floor through the eye's plane, cut by a near plane at 10^-knob.
 Drawing near_plane(const GlTable& gl, double knob) {
   const auto near = static_cast<float>(std::pow(10.0, -knob));
-  chart::project(gl, conformance::perspective(60, static_cast<float>(width) / height, near, 100), width, height);
+  probes::project(gl, conformance::perspective(60, static_cast<float>(width) / height, near, 100), width, height);
   return {[](const GlTable& table) {
     clear_background(table);
     triangle(table, {{{-4, -1, 3, 1}, {5, -1.2f, 2, 1}, {0.5f, -1, -60, 1}}});
@@ -74,7 +74,7 @@ constexpr int most_steps = 16384, step_rows = 8;
 
 /// A ramp of colour and depth over `knob` pixels, as one rectangle of two triangles.
 Drawing stepping(const GlTable& gl, double knob) {
-  chart::project_pixels(gl, most_steps, step_rows);
+  probes::project_pixels(gl, most_steps, step_rows);
   gl.Enable(GL_DEPTH_TEST);
   return {[end = static_cast<float>(knob)](const GlTable& table) {
     clear_background(table);
@@ -91,7 +91,7 @@ Drawing stepping(const GlTable& gl, double knob) {
 
 /// A wedge of `knob` pixels whose long edge rises by less than one row in a thousand pixels, if it is that long.
 Drawing long_edge(const GlTable& gl, double knob) {
-  chart::project_pixels(gl, most_steps, step_rows);
+  probes::project_pixels(gl, most_steps, step_rows);
   return {[end = static_cast<float>(knob - 179 / 256.0)](const GlTable& table) {
     clear_background(table);
     table.Begin(GL_TRIANGLES);

@@ -8,13 +8,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "conformance/chart/plot.h"
+#include "conformance/probes/plot.h"
 
 namespace gouraud::stability {
 namespace {
 
-using chart::Plot;
-using chart::PlotSeries;
+using probes::Plot;
+using probes::PlotSeries;
 
 std::string number(double value) {
   std::array<char, 32> buffer;
@@ -141,7 +141,7 @@ void write_report(const std::string& folder, const std::vector<SweepResult>& res
       const Plot plot = plot_of(result, measure);
       const bool has_points = std::ranges::any_of(plot.series, [](const PlotSeries& series) { return !series.points.empty(); });
       if (has_points) {
-        chart::write_plot(path, plot);
+        probes::write_plot(path, plot);
         const std::string svg = file_text(path);
         page << svg.substr(std::min(svg.find("<svg"), svg.size()));
       }

@@ -13,7 +13,7 @@ class Sweeps : public ::testing::TestWithParam<std::size_t> {};
 
 /// The contestants that something is expected of.
 std::vector<Contestant> contestants_of(const Sweep& sweep) {
-  std::vector<Contestant> all = chart::all_contestants(conformance::Paths::of_this_build());
+  std::vector<Contestant> all = probes::all_contestants(conformance::Paths::of_this_build());
   std::erase_if(all, [&](const Contestant& contestant) {
     return std::ranges::none_of(sweep.expectations, [&](const Expectation& e) { return e.contestant == contestant.name; });
   });

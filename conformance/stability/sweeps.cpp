@@ -8,18 +8,18 @@
 namespace gouraud::stability {
 namespace {
 
-using chart::Owner;
+using probes::Owner;
 
 std::optional<Reference> reference_of(const Sweep& sweep, double knob) {
   constexpr int area_grid = 17;  // no sampling method shares its places
   const double drawn = sweep.reference_knob(knob);
   switch (sweep.reference) {
     case SweepReference::none: return std::nullopt;
-    case SweepReference::house: return chart::exact_reference(sweep.probe, drawn);
-    case SweepReference::exact: return chart::exact_reference(sweep.probe, drawn, oracle::PositionModel::exact);
+    case SweepReference::house: return probes::exact_reference(sweep.probe, drawn);
+    case SweepReference::exact: return probes::exact_reference(sweep.probe, drawn, oracle::PositionModel::exact);
     case SweepReference::area: break;
   }
-  return chart::area_reference(sweep.probe, drawn, area_grid);
+  return probes::area_reference(sweep.probe, drawn, area_grid);
 }
 
 std::string number(double value) {
@@ -89,7 +89,7 @@ std::vector<SweepSeries> run_sweep(const Sweep& sweep, const std::vector<Contest
   std::vector<SweepSeries> all;
   for (const Contestant& contestant : contestants) {
     if (!takes_part(contestant, sweep)) continue;
-    chart::ProbeDriver driver(contestant);
+    probes::ProbeDriver driver(contestant);
     SweepSeries series{contestant.name, {}, {}};
     std::optional<Answer> first;
     for (std::size_t i = 0; i < sweep.knobs.size(); ++i) {

@@ -10,17 +10,17 @@
 #include <string_view>
 #include <vector>
 
-#include "conformance/chart/contestants.h"
-#include "conformance/chart/probe.h"
-#include "conformance/chart/reference.h"
+#include "conformance/probes/contestants.h"
+#include "conformance/probes/probe.h"
+#include "conformance/probes/reference.h"
 
 namespace gouraud::stability {
 
-using chart::Answer;
-using chart::Contestant;
-using chart::Drawing;
-using chart::Probe;
-using chart::Reference;
+using probes::Answer;
+using probes::Contestant;
+using probes::Drawing;
+using probes::Probe;
+using probes::Reference;
 
 /// What a measure sees of one contestant at one knob.
 struct Observed {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 
 struct Method {
   std::string setting;  ///< "coverage=scanline", for GOURAUD_METHODS; empty: the default
@@ -21,4 +21,4 @@ std::vector<Method> all_methods(const std::string& library);
 /// The rows of a table as gouraudMethodTable() gives it.
 std::vector<Method> methods_of_table(const std::string& table);
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -1,4 +1,4 @@
-#include "conformance/chart/reference.h"
+#include "conformance/probes/reference.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "conformance/harness/compare.h"
 #include "conformance/harness/offscreen.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 using conformance::OffscreenContext;
@@ -241,4 +241,4 @@ RgbImage image_of(const Reference& reference) {
   return image;
 }
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -1,10 +1,10 @@
-#include "conformance/chart/methods.h"
+#include "conformance/probes/methods.h"
 
 #include <gtest/gtest.h>
 
 #include "conformance/harness/drivers.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 TEST(ChartMethods, TheFirstRowOfAStepIsItsDefault) {
@@ -22,4 +22,4 @@ TEST(ChartMethods, TheFirstRowOfAStepIsItsDefault) {
 TEST(ChartMethods, AreThoseOfTheLibrary) { EXPECT_GT(all_methods(conformance::Paths::of_this_build().our_library).size(), 1u); }
 
 }  // namespace
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -9,11 +9,11 @@
 #include <optional>
 #include <vector>
 
-#include "conformance/chart/probe.h"
+#include "conformance/probes/probe.h"
 #include "conformance/harness/picture.h"
 #include "conformance/harness/png.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 
 struct Reference {
   int width_px = 0, height_px = 0;
@@ -55,4 +55,4 @@ conformance::RgbImage error_map(const conformance::Picture& picture, const Refer
 conformance::RgbImage image_of(const conformance::Picture& picture);
 conformance::RgbImage image_of(const Reference& reference);
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

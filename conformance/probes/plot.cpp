@@ -1,4 +1,4 @@
-#include "conformance/chart/plot.h"
+#include "conformance/probes/plot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 std::string quoted(const std::string& text) {
@@ -138,4 +138,4 @@ void write_plot(const std::string& path, const Plot& plot) {
   if (::pclose(gnuplot) != 0 || !written) throw std::runtime_error("gnuplot failed to draw " + path + " (package gnuplot-nox)");
 }
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 
 struct PlotSeries {
   enum class Style { points, labelled_points, lines, steps };
@@ -28,4 +28,4 @@ struct Plot {
 /// SVG. Labels that would lie over each other are moved up.
 void write_plot(const std::string& path, const Plot& plot);
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -9,7 +9,7 @@
 #include "conformance/scenes/shapes.h"
 #include "gl_table.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 
 struct Drawing {
   std::function<void(const GlTable& gl)> frame;  ///< clear included; not finished
@@ -41,4 +41,4 @@ void shift_pixels(double x_px, double y_px);
 /// Object coordinates are window coordinates, as conformance::pixel_space.
 void project_pixels(const GlTable& gl, int width_px, int height_px);
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -1,4 +1,4 @@
-#include "conformance/chart/plot.h"
+#include "conformance/probes/plot.h"
 
 #include <filesystem>
 #include <fstream>
@@ -8,7 +8,7 @@
 
 #include "conformance/harness/drivers.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 TEST(Plot, GnuplotWritesAnSvgWithTitleAndLabels) {
@@ -37,4 +37,4 @@ TEST(Plot, APathOfAPngGetsOne) {
 TEST(Plot, NothingToPlotIsAnError) { EXPECT_THROW(write_plot("/tmp/nothing.svg", {}), std::runtime_error); }
 
 }  // namespace
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

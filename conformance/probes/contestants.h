@@ -14,7 +14,7 @@
 #include "conformance/harness/drivers.h"
 #include "conformance/speed/measure.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 
 enum class Owner : std::uint8_t { ours_default, ours_method, llvmpipe, softpipe };
 
@@ -65,4 +65,4 @@ class ProbeDriver {
 /// The drivers of `paths` and our methods that match; every one on one core, all as they ship.
 std::vector<Contestant> all_contestants(const conformance::Paths& paths);
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

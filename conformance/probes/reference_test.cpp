@@ -1,11 +1,11 @@
 // The measures of the chart: what they say of pictures whose error is known.
-#include "conformance/chart/reference.h"
+#include "conformance/probes/reference.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 constexpr int size = 16;
@@ -77,4 +77,4 @@ TEST(ChartReference, StructuralSimilarityIsOneOfEqualPicturesAndLessOfOthers) {
 }
 
 }  // namespace
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -1,4 +1,4 @@
-#include "conformance/chart/methods.h"
+#include "conformance/probes/methods.h"
 
 #include <cstring>
 #include <sstream>
@@ -6,7 +6,7 @@
 
 #include "conformance/harness/offscreen.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 
 std::vector<Method> methods_of_table(const std::string& table) {
   std::vector<Method> methods{{}};
@@ -43,4 +43,4 @@ std::vector<Method> all_methods(const std::string& library) {
   return methods_of_table(table());
 }
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -2,10 +2,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "conformance/chart/probe.h"
+#include "conformance/probes/probe.h"
 #include "conformance/stability/sweeps.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 double shift_x_px = 0, shift_y_px = 0;
@@ -49,4 +49,4 @@ void project_pixels(const GlTable& gl, int width_px, int height_px) {
   project(gl, matrix, width_px, height_px);
 }
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes

@@ -9,12 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "conformance/chart/contestants.h"
-#include "conformance/chart/probe.h"
+#include "conformance/probes/contestants.h"
+#include "conformance/probes/probe.h"
 #include "conformance/harness/coverage_watch.h"
 #include "conformance/harness/offscreen.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 using conformance::CoverageWatch;
@@ -164,11 +164,11 @@ int run(const std::vector<std::string>& arguments) {
 }
 
 }  // namespace
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes
 
 int main(int argc, char** argv) {
   try {
-    return gouraud::chart::run({argv + 1, argv + argc});
+    return gouraud::probes::run({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     std::fprintf(stderr, "probe_driver: %s\n", error.what());
     return 2;

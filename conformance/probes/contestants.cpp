@@ -1,10 +1,10 @@
-#include "conformance/chart/contestants.h"
+#include "conformance/probes/contestants.h"
 
 #include <stdexcept>
 
-#include "conformance/chart/methods.h"
+#include "conformance/probes/methods.h"
 
-namespace gouraud::chart {
+namespace gouraud::probes {
 namespace {
 
 using conformance::ChildProcess;
@@ -115,4 +115,4 @@ std::vector<Contestant> all_contestants(const Paths& paths) {
   return contestants;
 }
 
-}  // namespace gouraud::chart
+}  // namespace gouraud::probes
