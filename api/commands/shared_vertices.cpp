@@ -25,25 +25,11 @@ bool SharedVertices::is_full() const {
   return batch.count + static_cast<std::int32_t>(fresh_count_) + multiple_ > pipeline::batch_capacity || indices >= most_indices;
 }
 
-bool SharedVertices::add(std::span<const GLuint> elements) {
-  if (context_.immediate.limit == 0) return false;
-  for (const GLuint element : elements) {
-    if (count_ % static_cast<std::uint64_t>(multiple_) == 0 && is_full()) {
-      start_next_batch();
-      if (context_.immediate.limit == 0) return false;
-    }
-    add_one(element);
-    if (count_++ == 0) first_ = element;
-    last_ = {last_[1], element};
-  }
-  return true;
-}
-
-void SharedVertices::add_one(GLuint element) {
+inline void SharedVertices::add_one(GLuint element) {
   pipeline::VertexBatch& batch = context_.immediate.batch;
   constexpr GLuint golden_ratio = 0x9E3779B9u;
   ElementSlots& slots = context_.immediate.element_slots;
-  const std::uint32_t valid = slots.batch_number;
+  const std::uint16_t valid = slots.batch_number;
   std::size_t at = element * golden_ratio >> (32 - ElementSlots::bits);
   while (slots.slot[at].batch_number == valid && slots.slot[at].element != element) at = (at + 1) % slots.slot.size();
   if (slots.slot[at].batch_number != valid) {
@@ -51,6 +37,24 @@ void SharedVertices::add_one(GLuint element) {
     fresh_[fresh_count_++] = element;
   }
   batch.elements.push_back(slots.slot[at].vertex);
+}
+
+bool SharedVertices::add(std::span<const GLuint> elements) {
+  if (context_.immediate.limit == 0) return false;
+  if (elements.empty()) return true;
+  if (!any_) first_ = elements[0];
+  any_ = true;
+  for (const GLuint element : elements) {
+    if (until_cut_ == 0) {
+      until_cut_ = multiple_;
+      if (is_full()) start_next_batch();
+      if (context_.immediate.limit == 0) return false;
+    }
+    --until_cut_;
+    add_one(element);
+    last_ = {last_[1], element};
+  }
+  return true;
 }
 
 void SharedVertices::append_fresh() {

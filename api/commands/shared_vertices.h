@@ -33,7 +33,8 @@ class SharedVertices {
   Context& context_;
   Append append_;
   std::int32_t multiple_;
-  std::uint64_t count_ = 0;                  // of the primitive's indices so far
+  std::int32_t until_cut_ = 0;               // so many indices more before the primitive may be cut
+  bool any_ = false;
   GLuint first_ = 0;                         // the very first
   std::array<GLuint, 2> last_{};             // the last but one, and the last
   std::size_t fresh_count_ = 0;

@@ -17,11 +17,11 @@ struct ElementSlots {
   /// Valid if `batch_number` is the table's.
   struct Slot {
     std::uint32_t element = 0;
-    std::uint32_t batch_number = 0;
+    std::uint16_t batch_number = 0;
     std::uint16_t vertex = 0;
   };
-  static constexpr int bits = 12;  ///< four times as many slots as a batch has vertices
-  std::uint32_t batch_number = 0;
+  static constexpr int bits = 11;  ///< twice as many slots as a batch has vertices: they fit the nearest cache
+  std::uint16_t batch_number = 0;
   std::array<Slot, std::size_t{1} << bits> slot{};
 
   /// All slots are free again.

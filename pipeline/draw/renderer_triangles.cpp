@@ -26,7 +26,7 @@ void Renderer::Implementation::select_and_add(std::span<const AssembledTriangle>
     const auto some = triangles.first(std::min(triangles.size(), selection_batch));
     triangles = triangles.subspan(some.size());
     const std::size_t count = select_triangles(*setup, vertices, some, of_range, selected.data());
-    bins.add_triangles(*setup, selected.data(), count, of_range.kept != nullptr);
+    bins.add_triangles(*setup, selected.data(), count, of_range.front != nullptr);
   }
 }
 
@@ -34,12 +34,11 @@ void Renderer::Implementation::select_and_add(std::span<const AssembledTriangle>
 SharedVertices Renderer::Implementation::share_vertices(const PrimitiveRange& range) {
   const std::int32_t used = range.indexed ? batch_count : range.count;
   if (!may_share_vertices(*setup) || 2 * assembled.triangles.size() <= static_cast<std::size_t>(used)) return {};
-  if (range.indexed && shared.kept != nullptr) return shared;
+  if (range.indexed && shared.front != nullptr) return shared;
   const std::int32_t first = range.indexed ? 0 : range.first;
   const auto count = static_cast<std::size_t>(used);
-  auto* const memory = static_cast<std::byte*>(bins.allocate(count * kept_vertex_size(*setup)));
-  const SharedVertices result{keep_vertices(*setup, vertices, static_cast<std::size_t>(first), count, memory),
-                              static_cast<std::uint16_t>(first)};
+  auto* const memory = static_cast<std::byte*>(bins.allocate(shared_vertices_size(*setup, count)));
+  const SharedVertices result = keep_vertices(*setup, vertices, static_cast<std::size_t>(first), count, memory);
   if (range.indexed) shared = result;
   return result;
 }

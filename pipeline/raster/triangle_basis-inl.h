@@ -46,7 +46,7 @@ struct SnappedPlaces {
 HWY_INLINE SnappedPlaces snap_places(const Corners& corners, std::int32_t target_height_px) {
   SnappedPlaces places;
   for (std::size_t i = 0; i < 3; ++i) {
-    const SnappedCorner corner = snap_corner(corners.window_x[i], corners.window_y[i], target_height_px);
+    const SnappedCorner<IV> corner = snap_corner(corners.window_x[i], corners.window_y[i], target_height_px);
     places.x[i] = hn::PromoteTo(D(), corner.x);
     places.y[i] = hn::PromoteTo(D(), corner.y);
   }

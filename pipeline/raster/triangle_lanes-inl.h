@@ -41,30 +41,36 @@ HWY_INLINE std::uint64_t bits_of(Mask mask) {
   hn::StoreMaskBits(D(), mask, reinterpret_cast<std::uint8_t*>(&bits));
   return bits;
 }
-HWY_INLINE std::uint64_t bits_of_int(hn::Mask<I> mask) {
-  std::uint64_t bits = 0;
-  hn::StoreMaskBits(I(), mask, reinterpret_cast<std::uint8_t*>(&bits));
-  return bits;
-}
-HWY_INLINE hn::Mask<I> int_mask(std::uint64_t bits) { return hn::LoadMaskBits(I(), reinterpret_cast<const std::uint8_t*>(&bits)); }
 
 /// The four floats of one struct a lane.
-struct FloatQuad {
-  hn::Vec<F> x, y, z, w;
+template <class Tag>
+struct Quads {
+  hn::Vec<Tag> x, y, z, w;
 };
+using FloatQuad = Quads<F>;
+#if HWY_TARGET != HWY_SCALAR
+/// The structs of lanes first, first + 4, ... in a vector.
+template <class Tag, class At>
+HWY_INLINE hn::Vec<Tag> load_every_fourth(Tag f, std::size_t first, At at) {
+  if constexpr (hn::MaxLanes(Tag()) == 4) {
+    return hn::LoadU(f, at(first));
+  } else {
+    const hn::Half<Tag> half;
+    return hn::Combine(f, load_every_fourth(half, first + hn::Lanes(half), at), load_every_fourth(half, first, at));
+  }
+}
+#endif
+
 /// `at(lane)` is where the struct of that lane lies. Transposed in registers where they are wide enough: what is stored in
 /// pieces and loaded as a whole makes a processor wait.
 template <class Tag, class At>
-HWY_INLINE FloatQuad load_quads(Tag f, At at) {
-  FloatQuad q;
+HWY_INLINE Quads<Tag> load_quads(Tag f, At at) {
+  Quads<Tag> q;
   constexpr std::size_t lanes = hn::MaxLanes(Tag());
 #if HWY_TARGET != HWY_SCALAR
   if constexpr (lanes >= 4) {
     hn::Vec<Tag> v[4];
-    for (std::size_t i = 0; i < 4; ++i) {
-      if constexpr (lanes == 4) v[i] = hn::LoadU(f, at(i));
-      else v[i] = hn::Combine(f, hn::LoadU(hn::Half<Tag>(), at(i + 4)), hn::LoadU(hn::Half<Tag>(), at(i)));
-    }
+    for (std::size_t i = 0; i < 4; ++i) v[i] = load_every_fourth(f, i, at);
     const auto xy_even = hn::InterleaveLower(f, v[0], v[2]), xy_odd = hn::InterleaveLower(f, v[1], v[3]);
     const auto zw_even = hn::InterleaveUpper(f, v[0], v[2]), zw_odd = hn::InterleaveUpper(f, v[1], v[3]);
     q.x = hn::InterleaveLower(f, xy_even, xy_odd);
@@ -81,15 +87,20 @@ HWY_INLINE FloatQuad load_quads(Tag f, At at) {
 }
 
 /// Window x and y from the top to 1/256 pixel, y up: nearest, ties to even, rounded in float as MESA-RULES 3 says.
+template <class Ints>
 struct SnappedCorner {
-  IV x, y;
+  Ints x, y;
 };
-HWY_INLINE IV snap(hn::Vec<F> coordinate) {
-  const F f;
+template <class Floats>
+HWY_INLINE auto snap(Floats coordinate) {
+  const hn::DFromV<Floats> f;
   return hn::NearestInt(hn::Mul(hn::Sub(coordinate, hn::Set(f, 0.5f)), hn::Set(f, static_cast<float>(subpixels))));
 }
-HWY_INLINE SnappedCorner snap_corner(hn::Vec<F> x, hn::Vec<F> y_raster, std::int32_t target_height_px) {
-  return {snap(x), hn::Sub(set_int((target_height_px - 1) * subpixels), snap(y_raster))};
+template <class Floats>
+HWY_INLINE auto snap_corner(Floats x, Floats y_raster, std::int32_t target_height_px) {
+  const hn::RebindToSigned<hn::DFromV<Floats>> i;
+  return SnappedCorner<hn::Vec<hn::RebindToSigned<hn::DFromV<Floats>>>>{
+      snap(x), hn::Sub(hn::Set(i, (target_height_px - 1) * subpixels), snap(y_raster))};
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE

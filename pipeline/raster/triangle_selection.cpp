@@ -23,81 +23,117 @@
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
 
+// As many triangles at a time as there are lanes of 32 bits: only areas take doubles.
+using SelectionTag = hn::CappedTag<std::int32_t, 16>;
+using SelectionFloats = hn::Rebind<float, SelectionTag>;
+using Ints = hn::Vec<SelectionTag>;
+using IntMask = hn::Mask<SelectionTag>;
+using Corner = SnappedCorner<Ints>;
+constexpr std::size_t most_selection_lanes = 16;
+
+HWY_INLINE Ints set_ints(std::int32_t value) { return hn::Set(SelectionTag(), value); }
+HWY_INLINE std::uint64_t lanes_of(IntMask mask) {
+  std::uint64_t bits = 0;
+  hn::StoreMaskBits(SelectionTag(), mask, reinterpret_cast<std::uint8_t*>(&bits));
+  return bits;
+}
+HWY_INLINE IntMask mask_of_lanes(std::uint64_t bits) {
+  return hn::LoadMaskBits(SelectionTag(), reinterpret_cast<const std::uint8_t*>(&bits));
+}
+
 /// Positions in 1/256 pixel, y up.
 struct SnappedTriangles {
-  SnappedCorner corner[3];
+  Corner corner[3];
 };
 
 /// A half-open box of pixels a lane.
 struct Boxes {
-  IV x0, y0, x1, y1;
+  Ints x0, y0, x1, y1;
 };
 
 /// The pixels whose centres a triangle's box holds; of smooth triangles, those that it can touch (snapping moved it by
 /// half a step).
 HWY_INLINE Boxes boxes_of(const SnappedTriangles& p, bool smooth) {
   const auto& [a, b, c] = p.corner;
-  const IV reach = set_int(smooth ? subpixels / 2 + 1 : 0);
-  const auto first = [&](IV low) HWY_ATTR { return hn::ShiftRight<subpixel_bits>(hn::Add(hn::Sub(low, reach), set_int(subpixels - 1))); };
-  const auto end = [&](IV high) HWY_ATTR { return hn::Add(hn::ShiftRight<subpixel_bits>(hn::Add(high, reach)), set_int(1)); };
+  const Ints reach = set_ints(smooth ? subpixels / 2 + 1 : 0);
+  const auto first = [&](Ints low) HWY_ATTR { return hn::ShiftRight<subpixel_bits>(hn::Add(hn::Sub(low, reach), set_ints(subpixels - 1))); };
+  const auto end = [&](Ints high) HWY_ATTR { return hn::Add(hn::ShiftRight<subpixel_bits>(hn::Add(high, reach)), set_ints(1)); };
   return {first(least(a.x, b.x, c.x)), first(least(a.y, b.y, c.y)), end(most(a.x, b.x, c.x)), end(most(a.y, b.y, c.y))};
 }
 
-/// Twice the area: an integer below 2^53.
-HWY_INLINE V area_of(const SnappedTriangles& p) {
+/// The signs of the areas: twice the area is an integer below 2^53.
+struct Facing {
+  std::uint64_t counter_clockwise, some;  ///< positive, and not zero
+};
+HWY_INLINE Facing facing_of(const SnappedTriangles& p) {
+  const D d;
+  const I half;
+  const SelectionTag i;
   const auto& [a, b, c] = p.corner;
-  const auto distance = [](IV from, IV to) HWY_ATTR { return hn::PromoteTo(D(), hn::Sub(to, from)); };
-  return hn::Sub(hn::Mul(distance(a.x, b.x), distance(a.y, c.y)), hn::Mul(distance(a.x, c.x), distance(a.y, b.y)));
+  alignas(64) std::int32_t first_x[most_selection_lanes], first_y[most_selection_lanes];
+  alignas(64) std::int32_t second_x[most_selection_lanes], second_y[most_selection_lanes];
+  hn::Store(hn::Sub(b.x, a.x), i, first_x);
+  hn::Store(hn::Sub(b.y, a.y), i, first_y);
+  hn::Store(hn::Sub(c.x, a.x), i, second_x);
+  hn::Store(hn::Sub(c.y, a.y), i, second_y);
+  Facing facing{};
+  for (std::size_t lane = 0; lane < hn::Lanes(i); lane += hn::Lanes(d)) {
+    const auto part = [&](const std::int32_t* values) HWY_ATTR { return hn::PromoteTo(d, hn::Load(half, values + lane)); };
+    const V area = hn::Sub(hn::Mul(part(first_x), part(second_y)), hn::Mul(part(second_x), part(first_y)));
+    facing.counter_clockwise |= bits_of(hn::Gt(area, hn::Zero(d))) << lane;
+    facing.some |= bits_of(hn::Ne(area, hn::Zero(d))) << lane;
+  }
+  return facing;
 }
 
 /// An edge function at the pixels of a box: see EdgeFunction, and set_up_edges in triangle_setup.cpp for the tie rule.
 struct BoxEdge {
-  IV value, a, b;
+  Ints value, a, b;
 };
 /// Lanes that are not `small` get an edge that is nowhere. Of the others every number is below 2^24.
-HWY_INLINE BoxEdge box_edge(const SnappedCorner& from, const SnappedCorner& to, const Boxes& box, hn::Mask<I> small) {
-  const I i;
-  const IV zero = hn::Zero(i);
-  const IV a = hn::IfThenElseZero(small, hn::Sub(from.y, to.y)), b = hn::IfThenElseZero(small, hn::Sub(to.x, from.x));
-  const IV x = hn::IfThenElseZero(small, hn::Sub(from.x, hn::ShiftLeft<subpixel_bits>(box.x0)));
-  const IV y = hn::IfThenElseZero(small, hn::Sub(from.y, hn::ShiftLeft<subpixel_bits>(box.y0)));
+HWY_INLINE BoxEdge box_edge(const Corner& from, const Corner& to, const Boxes& box, IntMask small) {
+  const SelectionTag i;
+  const Ints zero = hn::Zero(i);
+  const Ints a = hn::IfThenElseZero(small, hn::Sub(from.y, to.y)), b = hn::IfThenElseZero(small, hn::Sub(to.x, from.x));
+  const Ints x = hn::IfThenElseZero(small, hn::Sub(from.x, hn::ShiftLeft<subpixel_bits>(box.x0)));
+  const Ints y = hn::IfThenElseZero(small, hn::Sub(from.y, hn::ShiftLeft<subpixel_bits>(box.y0)));
   const auto owns = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
-  const IV c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, x), hn::Mul(b, y))), hn::IfThenZeroElse(owns, set_int(1)));
+  const Ints c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, x), hn::Mul(b, y))), hn::IfThenZeroElse(owns, set_ints(1)));
   return {hn::ShiftRight<subpixel_bits>(c), a, b};
 }
 
 /// The pixels that the small triangles cover, 8 a row from the box's corner: rows 0 to 3 and 4 to 7.
 struct Masks {
-  IV low, high;
+  Ints low, high;
 };
-HWY_INLINE Masks cover(const SnappedTriangles& p, const Boxes& box, hn::Mask<I> small, hn::Mask<I> counter_clockwise) {
-  const I i;
+HWY_INLINE Masks cover(const SnappedTriangles& p, const Boxes& box, IntMask small, IntMask counter_clockwise) {
+  const SelectionTag i;
   // Positive inside, if the triangle is taken counter-clockwise.
-  const SnappedCorner &a = p.corner[0], &b = p.corner[1], &c = p.corner[2];
-  const SnappedCorner second{hn::IfThenElse(counter_clockwise, b.x, c.x), hn::IfThenElse(counter_clockwise, b.y, c.y)};
-  const SnappedCorner third{hn::IfThenElse(counter_clockwise, c.x, b.x), hn::IfThenElse(counter_clockwise, c.y, b.y)};
+  const Corner &a = p.corner[0], &b = p.corner[1], &c = p.corner[2];
+  const Corner second{hn::IfThenElse(counter_clockwise, b.x, c.x), hn::IfThenElse(counter_clockwise, b.y, c.y)};
+  const Corner third{hn::IfThenElse(counter_clockwise, c.x, b.x), hn::IfThenElse(counter_clockwise, c.y, b.y)};
   const BoxEdge edges[3] = {box_edge(a, second, box, small), box_edge(second, third, box, small), box_edge(third, a, box, small)};
   const std::int32_t columns = hn::GetLane(hn::MaxOfLanes(i, hn::IfThenElseZero(small, hn::Sub(box.x1, box.x0))));
   const std::int32_t rows = hn::GetLane(hn::MaxOfLanes(i, hn::IfThenElseZero(small, hn::Sub(box.y1, box.y0))));
 
   // From the last pixel to the first, so that each bit found shifts the others into place.
-  const IV last_column = set_int(columns - 1), last_row = set_int(rows - 1);
+  const Ints last_column = set_ints(columns - 1), last_row = set_ints(rows - 1);
   const auto start = [&](const BoxEdge& e) HWY_ATTR {
     return hn::Add(e.value, hn::Add(hn::Mul(e.a, last_column), hn::Mul(e.b, last_row)));
   };
-  IV start0 = start(edges[0]), start1 = start(edges[1]), start2 = start(edges[2]);
-  const IV row_bits = set_int((1 << columns) - 1);
+  Ints start0 = start(edges[0]), start1 = start(edges[1]), start2 = start(edges[2]);
+  const Ints row_bits = set_ints((1 << columns) - 1);
   Masks masks{hn::Zero(i), hn::Zero(i)};
   for (std::int32_t row = rows - 1; row >= 0; --row) {
-    IV v0 = start0, v1 = start1, v2 = start2, outside = hn::Zero(i);
+    Ints v0 = start0, v1 = start1, v2 = start2, outside = hn::Zero(i);
     for (std::int32_t column = 0; column < columns; ++column) {
-      const IV minus_one_outside = hn::ShiftRight<31>(hn::Or(hn::Or(v0, v1), v2));
+      const Ints minus_one_outside = hn::ShiftRight<31>(hn::Or(hn::Or(v0, v1), v2));
       outside = hn::Sub(hn::Add(outside, outside), minus_one_outside);
       v0 = hn::Sub(v0, edges[0].a);
       v1 = hn::Sub(v1, edges[1].a);
       v2 = hn::Sub(v2, edges[2].a);
     }
-    IV& half = row < 4 ? masks.low : masks.high;
+    Ints& half = row < 4 ? masks.low : masks.high;
     half = hn::Or(hn::ShiftLeft<8>(half), hn::AndNot(outside, row_bits));
     start0 = hn::Sub(start0, edges[0].b);
     start1 = hn::Sub(start1, edges[1].b);
@@ -108,43 +144,42 @@ HWY_INLINE Masks cover(const SnappedTriangles& p, const Boxes& box, hn::Mask<I> 
 
 /// What the selection finds out.
 struct alignas(64) Selection {
-  std::int32_t x0[max_lanes], y0[max_lanes], x1[max_lanes], y1[max_lanes];
-  std::uint32_t low[max_lanes], high[max_lanes];  ///< halves of the masks
+  std::int32_t x0[most_selection_lanes], y0[most_selection_lanes], x1[most_selection_lanes], y1[most_selection_lanes];
+  std::uint32_t low[most_selection_lanes], high[most_selection_lanes];  ///< halves of the masks
   std::uint64_t alive, front, scissored, small;
 };
 
 HWY_INLINE void select(const SetupState& state, const SnappedTriangles& p, Selection& out) {
-  const I i;
+  const SelectionTag i;
   const Boxes box = boxes_of(p, state.polygons.smooth);
   const PixelRect& scissor = state.scissor;
-  const Boxes cut{hn::Max(box.x0, set_int(scissor.x0)), hn::Max(box.y0, set_int(scissor.y0)),
-                  hn::Min(box.x1, set_int(scissor.x1)), hn::Min(box.y1, set_int(scissor.y1))};
+  const Boxes cut{hn::Max(box.x0, set_ints(scissor.x0)), hn::Max(box.y0, set_ints(scissor.y0)),
+                  hn::Min(box.x1, set_ints(scissor.x1)), hn::Min(box.y1, set_ints(scissor.y1))};
   hn::Store(cut.x0, i, out.x0);
   hn::Store(cut.y0, i, out.y0);
   hn::Store(cut.x1, i, out.x1);
   hn::Store(cut.y1, i, out.y1);
   const auto scissored = hn::Or(hn::Or(hn::Ne(box.x0, cut.x0), hn::Ne(box.y0, cut.y0)),
                                 hn::Or(hn::Ne(box.x1, cut.x1), hn::Ne(box.y1, cut.y1)));
-  out.scissored = bits_of_int(scissored);
+  out.scissored = lanes_of(scissored);
 
   // Decide facing, cull, reject what no sample can hit.
-  const V area = area_of(p), zero = hn::Zero(D());
-  const std::uint64_t counter_clockwise = bits_of(hn::Gt(area, zero));
-  out.front = state.front_face == FrontFace::ccw ? counter_clockwise : ~counter_clockwise;
+  const Facing facing = facing_of(p);
+  out.front = state.front_face == FrontFace::ccw ? facing.counter_clockwise : ~facing.counter_clockwise;
   const auto some_box = hn::And(hn::Lt(cut.x0, cut.x1), hn::Lt(cut.y0, cut.y1));
-  out.alive = bits_of_int(some_box) & bits_of(hn::Ne(area, zero));
+  out.alive = lanes_of(some_box) & facing.some;
   if (is_culled(state.cull, true)) out.alive &= ~out.front;
   if (is_culled(state.cull, false)) out.alive &= out.front;
 
   // Find the pixels of small ones, reject those between the samples.
-  const IV most_pixels = set_int(block_size + 1);
+  const Ints most_pixels = set_ints(block_size + 1);
   const auto fits = hn::And(hn::Lt(hn::Sub(box.x1, box.x0), most_pixels), hn::Lt(hn::Sub(box.y1, box.y0), most_pixels));
-  out.small = state.polygons.smooth ? 0 : out.alive & bits_of_int(fits) & ~out.scissored;
+  out.small = state.polygons.smooth ? 0 : out.alive & lanes_of(fits) & ~out.scissored;
   if (out.small == 0) return;
-  const Masks masks = cover(p, box, int_mask(out.small), int_mask(counter_clockwise));
-  hn::Store(hn::BitCast(hn::RebindToUnsigned<I>(), masks.low), hn::RebindToUnsigned<I>(), out.low);
-  hn::Store(hn::BitCast(hn::RebindToUnsigned<I>(), masks.high), hn::RebindToUnsigned<I>(), out.high);
-  out.alive &= ~(out.small & bits_of_int(hn::Eq(hn::Or(masks.low, masks.high), hn::Zero(i))));
+  const Masks masks = cover(p, box, mask_of_lanes(out.small), mask_of_lanes(facing.counter_clockwise));
+  hn::Store(hn::BitCast(hn::RebindToUnsigned<SelectionTag>(), masks.low), hn::RebindToUnsigned<SelectionTag>(), out.low);
+  hn::Store(hn::BitCast(hn::RebindToUnsigned<SelectionTag>(), masks.high), hn::RebindToUnsigned<SelectionTag>(), out.high);
+  out.alive &= ~(out.small & lanes_of(hn::Eq(hn::Or(masks.low, masks.high), hn::Zero(i))));
 }
 
 HWY_INLINE void keep_own_vertices(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle,
@@ -161,12 +196,12 @@ HWY_INLINE void keep_own_vertices(const SetupState& state, const ProcessedVertic
   }
 }
 
-/// Selects among at most max_lanes triangles.
+/// Selects among at most as many triangles as there are lanes.
 HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
                                     std::size_t count, const SharedVertices& shared, std::byte* out) {
   SnappedTriangles p;
   for (std::size_t i = 0; i < 3; ++i) {
-    const FloatQuad window = load_quads(F(), [&](std::size_t lane) HWY_ATTR {
+    const Quads<SelectionFloats> window = load_quads(SelectionFloats(), [&](std::size_t lane) HWY_ATTR {
       return &vertices.window[triangles[HWY_MIN(lane, count - 1)].vertex[i]].x;
     });
     p.corner[i] = snap_corner(window.x, window.y, state.target_height_px);
@@ -175,12 +210,11 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
   select(state, p, selection);
 
   std::size_t selected = 0;
-  const std::size_t bytes = waiting_size(state, shared.kept != nullptr);
+  const std::size_t bytes = waiting_size(state, shared.front != nullptr);
   for (std::uint64_t left = selection.alive & ((std::uint64_t{1} << count) - 1); left != 0; left &= left - 1) {
     const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
     const auto has = [lane](std::uint64_t lanes) { return (lanes >> lane & 1) != 0; };
     auto& waiting = *new (out + selected++ * bytes) WaitingTriangle;
-    waiting.shared = shared.kept;
     waiting.mask = has(selection.small) ? selection.low[lane] | static_cast<std::uint64_t>(selection.high[lane]) << 32 : 0;
     waiting.x0 = static_cast<std::int16_t>(selection.x0[lane]);
     waiting.y0 = static_cast<std::int16_t>(selection.y0[lane]);
@@ -188,7 +222,8 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
     waiting.y1 = static_cast<std::int16_t>(selection.y1[lane]);
     waiting.scissored = has(selection.scissored);
     waiting.back = !has(selection.front);
-    if (shared.kept == nullptr) {
+    waiting.shared = waiting.back ? shared.back : shared.front;
+    if (shared.front == nullptr) {
       keep_own_vertices(state, vertices, triangles[lane], waiting);
     } else {
       for (std::size_t i = 0; i < 3; ++i) waiting.vertex[i] = static_cast<std::uint16_t>(triangles[lane].vertex[i] - shared.first);
@@ -199,7 +234,7 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
 
 std::size_t select_all(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle* triangles,
                        std::size_t count, SharedVertices shared, std::byte* out) {
-  const std::size_t lanes = hn::Lanes(D()), bytes = waiting_size(state, shared.kept != nullptr);
+  const std::size_t lanes = hn::Lanes(SelectionTag()), bytes = waiting_size(state, shared.front != nullptr);
   std::size_t selected = 0;
   for (std::size_t i = 0; i < count; i += lanes) {
     selected += select_group(state, vertices, triangles + i, HWY_MIN(lanes, count - i), shared, out + selected * bytes);
@@ -245,18 +280,23 @@ void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, s
   target[2] = secondary.b;
 }
 
-const std::byte* keep_vertices(const SetupState& state, const ProcessedVertices& vertices, std::size_t first, std::size_t count,
-                               std::byte* memory) {
+SharedVertices keep_vertices(const SetupState& state, const ProcessedVertices& vertices, std::size_t first, std::size_t count,
+                             std::byte* memory) {
   const std::size_t bytes = kept_vertex_size(state);
   std::byte* next = memory;
-  for (std::size_t i = first; i < first + count; ++i, next += bytes) {
-    const auto index = static_cast<std::uint16_t>(i);
-    auto& kept = *new (next) KeptVertex;
-    kept.window = vertices.window[i];
-    if (state.colors) kept.color = color_of_vertex(state, vertices, index, false);
-    if (state.binding->varyings.count > 0) copy_varyings(state, vertices, index, index, false, varyings_of(kept));
-  }
-  return memory;
+  const auto keep_side = [&](bool back) {
+    const std::byte* const begin = next;
+    for (std::size_t i = first; i < first + count; ++i, next += bytes) {
+      const auto index = static_cast<std::uint16_t>(i);
+      auto& kept = *new (next) KeptVertex;
+      kept.window = vertices.window[i];
+      if (state.colors) kept.color = color_of_vertex(state, vertices, index, back);
+      if (state.binding->varyings.count > 0) copy_varyings(state, vertices, index, index, back, varyings_of(kept));
+    }
+    return begin;
+  };
+  const std::byte* const front = keep_side(false);
+  return {front, state.two_sided ? keep_side(true) : front, static_cast<std::uint16_t>(first)};
 }
 
 std::size_t select_triangles(const SetupState& state, const ProcessedVertices& vertices,

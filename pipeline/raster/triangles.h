@@ -56,16 +56,22 @@ inline const KeptVertex& vertex_of(const WaitingTriangle& triangle, std::size_t 
   return *reinterpret_cast<const KeptVertex*>(first + triangle.vertex[i] * bytes);
 }
 
-/// Whether all triangles take the same from a vertex, whichever way they face.
-inline bool may_share_vertices(const SetupState& state) { return !state.flat && !state.two_sided; }
-/// Keeps vertices [first, first + count) for triangles that share them, in `memory`: kept_vertex_size bytes each.
-const std::byte* keep_vertices(const SetupState& state, const ProcessedVertices& vertices, std::size_t first, std::size_t count,
-                               std::byte* memory);
-/// The kept vertices of a range of a batch, if there are.
+/// Whether all triangles of a side take the same from a vertex.
+inline bool may_share_vertices(const SetupState& state) { return !state.flat; }
+/// The kept vertices of a range of a batch, if there are: as front faces take them, and as back faces do. They are the same
+/// ones where lighting has one side.
 struct SharedVertices {
-  const std::byte* kept = nullptr;  ///< null: each triangle keeps its own
-  std::uint16_t first = 0;          ///< the batch's vertex that is kept first
+  const std::byte* front = nullptr;  ///< null: each triangle keeps its own
+  const std::byte* back = nullptr;
+  std::uint16_t first = 0;           ///< the batch's vertex that is kept first
 };
+/// Bytes of so many.
+inline std::size_t shared_vertices_size(const SetupState& state, std::size_t count) {
+  return count * kept_vertex_size(state) * (state.two_sided ? 2 : 1);
+}
+/// Keeps vertices [first, first + count) for triangles that share them, in `memory`: shared_vertices_size bytes.
+SharedVertices keep_vertices(const SetupState& state, const ProcessedVertices& vertices, std::size_t first, std::size_t count,
+                             std::byte* memory);
 
 /// Most triangles that one call of select_triangles takes.
 inline constexpr std::size_t selection_batch = 32;

@@ -53,6 +53,7 @@ struct Bench {
       for (std::size_t k = 0; k < 3; ++k) {
         vertices->window[3 * i + k] = {rounded(x + near(random)), rounded(y + near(random)), unit(random), 0.1f + unit(random)};
         vertices->color_front[3 * i + k] = {unit(random), unit(random), unit(random), unit(random)};
+        vertices->color_back[3 * i + k] = {unit(random), unit(random), unit(random), unit(random)};
       }
       const auto first = static_cast<std::uint16_t>(3 * i);
       triangles.push_back({{first, static_cast<std::uint16_t>(first + 1), static_cast<std::uint16_t>(first + 2)}, first, 7});
@@ -137,7 +138,7 @@ TEST(Selection, KnowsLargeAndScissoredTrianglesByTheirBoxAlone) {
 struct Waiting {
   Waiting(Bench& bench, SharedVertices shared) : memory(bench.triangles.size() * largest_waiting / 64 + 1) {
     auto* const out = memory.data()->data();
-    const std::size_t bytes = waiting_size(bench.state, shared.kept != nullptr);
+    const std::size_t bytes = waiting_size(bench.state, shared.front != nullptr);
     for (std::size_t i = 0; i < bench.triangles.size(); i += selection_batch) {
       const auto some = std::span(bench.triangles).subspan(i, std::min(selection_batch, bench.triangles.size() - i));
       const std::size_t before = triangles.size();
@@ -152,14 +153,15 @@ struct Waiting {
   std::vector<const WaitingTriangle*> triangles;
 };
 
-TEST(SharedVertices, GiveTheTrianglesThatOwnOnesGive) {
+void expect_shared_as_own(bool two_sided) {
   Bench bench;
+  bench.state.two_sided = two_sided;
   bench.random_triangles(100, 9, 1.0f / 256, 5);
-  std::vector<std::byte> kept(300 * kept_vertex_size(bench.state) + 64);
+  std::vector<std::byte> kept(shared_vertices_size(bench.state, 300) + 64);
   auto* const memory = kept.data() + (64 - reinterpret_cast<std::uintptr_t>(kept.data()) % 64) % 64;
   // The first vertices of the batch belong to others.
   bench.triangles.erase(bench.triangles.begin(), bench.triangles.begin() + 20);
-  const SharedVertices shared{keep_vertices(bench.state, *bench.vertices, 60, 240, memory), 60};
+  const SharedVertices shared = keep_vertices(bench.state, *bench.vertices, 60, 240, memory);
   const Waiting own(bench, {}), sharing(bench, shared);
   ASSERT_EQ(own.triangles.size(), sharing.triangles.size());
   ASSERT_GT(own.triangles.size(), 50u);
@@ -171,6 +173,11 @@ TEST(SharedVertices, GiveTheTrianglesThatOwnOnesGive) {
       EXPECT_EQ(std::memcmp(&vertex_of(a, k, bytes), &vertex_of(b, k, bytes), sizeof(KeptVertex)), 0);
     }
   }
+}
+
+TEST(SharedVertices, GiveTheTrianglesThatOwnOnesGive) {
+  expect_shared_as_own(false);
+  expect_shared_as_own(true);
 }
 
 TEST(Setup, OfAGroupGivesTheRecordsOfEachAlone) {
