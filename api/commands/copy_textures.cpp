@@ -55,7 +55,7 @@ void copy_bytes(const Framebuffer& source, const Copy& copy, const Image& image)
 void copy_colors(const Context& context, const Framebuffer& source, const Copy& copy, const Image& image) {
   const bool transfers = transfers_color(context.state.pixel.transfer);
   const bool bytes = source.color_format == pipeline::ColorFormat::rgba8 && !transfers;
-  if (bytes && image.format == pipeline::TexelFormat::rgba8 && image.tiles == nullptr) {
+  if (bytes && image.format == pipeline::TexelFormat::rgba8 && !pipeline::is_widened(image) && image.tiles == nullptr) {
     return copy_bytes(source, copy, image);
   }
   const auto width = static_cast<std::size_t>(copy.width);

@@ -229,11 +229,62 @@ TEST(FramebufferTextures, ANewImageTakesTheOldOnesPlace) {
   clear_to(0, 1, 0);
   EXPECT_EQ(texels(GL_TEXTURE_2D, 0, 4900), std::vector<std::uint32_t>(4900, green));
   glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, 8, 8, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, nullptr);
-  EXPECT_EQ(status(), GL_FRAMEBUFFER_UNSUPPORTED);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_COMPRESSED_RGB_S3TC_DXT1_EXT, 8, 8, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+  EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 0, 0, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
   EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT);
   glDeleteTextures(1, &name);
   EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT);
+}
+
+TEST(FramebufferTextures, LuminanceAlphaAndIntensityAreDrawnAndSampled) {
+  const Screen screen;
+  const struct {
+    GLenum internal_format;
+    std::array<int, 4> drawn;  ///< what is read back of 255 * (0.8, 0.4, 0.2, 0.6)
+    std::array<int, 4> seen;   ///< and what REPLACE makes of the texel over (0, 51, 102, 153)
+  } cases[] = {{GL_LUMINANCE8, {204, 0, 0, 255}, {204, 204, 204, 153}},   {GL_ALPHA8, {0, 0, 0, 153}, {0, 51, 102, 153}},
+               {GL_LUMINANCE8_ALPHA8, {204, 0, 0, 153}, {204, 204, 204, 153}}, {GL_INTENSITY8, {204, 0, 0, 255}, {204, 204, 204, 204}},
+               {GL_LUMINANCE16, {204, 0, 0, 255}, {204, 204, 204, 153}},  {GL_ALPHA16, {0, 0, 0, 153}, {0, 51, 102, 153}},
+               {GL_LUMINANCE16_ALPHA16, {204, 0, 0, 153}, {204, 204, 204, 153}}, {GL_INTENSITY16, {204, 0, 0, 255}, {204, 204, 204, 204}}};
+  const auto pixel = [] {
+    std::array<GLubyte, 4> bytes{};
+    glReadPixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());
+    return std::array<int, 4>{bytes[0], bytes[1], bytes[2], bytes[3]};
+  };
+  const std::vector<GLubyte> grey(16 * 16, 100);
+  for (const auto& c : cases) {
+    GLuint name = 0, object = 0;
+    glGenTextures(1, &name);
+    glBindTexture(GL_TEXTURE_2D, name);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
+    for (int level = 0; level < 5; ++level) {
+      glTexImage2D(GL_TEXTURE_2D, level, static_cast<GLint>(c.internal_format), 16 >> level, 16 >> level, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, grey.data());
+    }
+    glGenFramebuffers(1, &object);
+    glBindFramebuffer(GL_FRAMEBUFFER, object);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, name, 0);
+    ASSERT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
+    EXPECT_EQ(pixel()[3], 255) << "grey pixels are opaque";
+    glClearColor(0.8f, 0.4f, 0.2f, 0.6f);
+    glClear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(pixel(), c.drawn) << std::hex << c.internal_format;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glEnable(GL_TEXTURE_2D);
+    glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
+    glColor4ub(0, 51, 102, 153);
+    glRectf(-1, -1, 1, 1);
+    EXPECT_EQ(pixel(), c.seen) << std::hex << c.internal_format;
+    // A level that is specified anew goes with the others.
+    glTexImage2D(GL_TEXTURE_2D, 1, static_cast<GLint>(c.internal_format), 8, 8, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, grey.data());
+    glClear(GL_COLOR_BUFFER_BIT);
+    glRectf(-1, -1, 1, 1);
+    EXPECT_EQ(pixel(), c.seen) << std::hex << c.internal_format;
+    glDisable(GL_TEXTURE_2D);
+    glDeleteFramebuffers(1, &object);
+    glDeleteTextures(1, &name);
+  }
 }
 
 TEST(FramebufferTextures, Errors) {

@@ -44,6 +44,8 @@ void read_accum_bits(const Context& c, StateValue& v) {
 constexpr StateRow rows[] = {
     {GL_NUM_EXTENSIONS, integer, 1, read_constant<extension_count>},
     {GL_MAX_LIGHTS, integer, 1, read_constant<max_lights>},
+    {GL_MAX_SHININESS_NV, integer, 1, read_constant<128>},
+    {GL_MAX_SPOT_EXPONENT_NV, integer, 1, read_constant<128>},
     {GL_MAX_CLIP_PLANES, integer, 1, read_constant<max_clip_planes>},
     {GL_MAX_MODELVIEW_STACK_DEPTH, integer, 1, read_constant<max_modelview_stack_depth>},
     {GL_MAX_PROJECTION_STACK_DEPTH, integer, 1, read_constant<max_projection_stack_depth>},

@@ -80,6 +80,10 @@ void GetIntegerv(Context& context, GLenum pname, GLint* data) {
   get(context, pname, data, "glGetIntegerv", to_integer);
 }
 
+void GetInteger64v(Context& context, GLenum pname, GLint64* data) {
+  get(context, pname, data, "glGetInteger64v", [](double value, ValueKind kind) { return GLint64{to_integer(value, kind)}; });
+}
+
 void GetFloatv(Context& context, GLenum pname, GLfloat* data) {
   get(context, pname, data, "glGetFloatv", [](double value, ValueKind) { return static_cast<GLfloat>(value); });
 }

@@ -21,5 +21,7 @@ void GetBooleanv(Context& context, GLenum pname, GLboolean* data);
 void GetIntegerv(Context& context, GLenum pname, GLint* data);
 void GetFloatv(Context& context, GLenum pname, GLfloat* data);
 void GetDoublev(Context& context, GLenum pname, GLdouble* data);
+/// Of a later version: programs that link it would find another library's otherwise. Rounded as GetIntegerv.
+void GetInteger64v(Context& context, GLenum pname, GLint64* data);
 
 }  // namespace gouraud::api

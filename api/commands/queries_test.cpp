@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 #include <set>
 #include <string>
@@ -96,6 +97,17 @@ TEST(Queries, DescribeTheTarget) {
   EXPECT_EQ(integer(c, GL_STENCIL_BITS), 0);
   EXPECT_EQ(integer(c, GL_DOUBLEBUFFER), 0);
   EXPECT_EQ(integer(c, GL_RGBA_MODE), 1);
+}
+
+TEST(Queries, InSixtyFourBits) {
+  Context c({}, nullptr);
+  std::array<GLint64, 4> box{-7, -7, -7, -7};
+  GetInteger64v(c, GL_MAX_TEXTURE_SIZE, box.data());
+  EXPECT_EQ(box, (std::array<GLint64, 4>{16384, -7, -7, -7}));
+  GetInteger64v(c, GL_MAX_SHININESS_NV, box.data());
+  EXPECT_EQ(box[0], 128);
+  GetInteger64v(c, GL_TEXTURE_2D + 1, box.data());
+  EXPECT_EQ(c.take_error(), static_cast<GLenum>(GL_INVALID_ENUM));
 }
 
 TEST(StateTable, HasNoNameTwice) {

@@ -127,6 +127,8 @@ inline const Enums more_state = {GL_MULTISAMPLE,
                                  GL_SAMPLE_ALPHA_TO_ONE,
                                  GL_SAMPLE_COVERAGE,
                                  GL_MAX_SAMPLES_EXT,
+                                 GL_MAX_SHININESS_NV,
+                                 GL_MAX_SPOT_EXPONENT_NV,
                                  GL_TEXTURE_CUBE_MAP,
                                  GL_TEXTURE_CUBE_MAP_SEAMLESS,
                                  GL_TEXTURE_RECTANGLE_ARB,
@@ -320,7 +322,7 @@ inline const std::vector<EnumSet> enum_sets = [] {
       {"ActiveTexture ClientActiveTexture", "texture", nothing, range(GL_TEXTURE0, GL_TEXTURE7), {}, {}},
       {"MultiTexCoord", "target", nothing, range(GL_TEXTURE0, GL_TEXTURE7), {}, {}},
       // [GL1.5 §6.2]: what gl.xml has no group for.
-      {"GetBooleanv GetIntegerv GetFloatv GetDoublev", "pname", group, more_state, {}, {}},
+      {"GetBooleanv GetIntegerv GetInteger64v GetFloatv GetDoublev", "pname", group, more_state, {}, {}},
       // [GL1.5 §4.1.8]
       {"BlendFunc", "sfactor", group, {}, {GL_SRC1_ALPHA}, {}},
       {"BlendFunc", "dfactor", group, {}, {GL_SRC1_ALPHA, GL_SRC_ALPHA_SATURATE}, {}},

@@ -40,7 +40,7 @@ struct TexelBytes {
   int count = 0;  ///< of a texel
 };
 std::optional<TexelBytes> texel_bytes(const ByteOrder& rgba, const Image& image) {
-  if (!pipeline::has_byte_channels(image.format)) return std::nullopt;
+  if (!pipeline::has_byte_channels(image.format) || pipeline::is_widened(image)) return std::nullopt;
   switch (image.base_format) {
     case BaseFormat::alpha: return TexelBytes{{{rgba.source[3]}}, 1};
     case BaseFormat::luminance:

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "api/commands/compressed_blocks.h"
+#include "pipeline/texture/attachable.h"
 #include "pipeline/texture/completeness.h"
 #include "pipeline/texture/mipmaps.h"
 #include "pipeline/texture/texel_rows.h"
@@ -70,6 +71,7 @@ void put_image(Context& context, TextureObject& object, std::size_t face, std::s
 
 void put_image(Context& context, TextureObject& object, std::size_t face, std::size_t level, pipeline::Image image,
                ImageDescription description) {
+  if (pipeline::has_widened_images(*object.texture)) pipeline::widen(image);
   own_texture(object).faces[face][level] = std::move(image);
   object.descriptions[face][level] = std::move(description);
   context.change(dirty_textures);

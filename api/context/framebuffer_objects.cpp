@@ -20,11 +20,12 @@ using pipeline::Surface;
 template <class Renderable>
 bool is_complete(const Attachment& attachment, Renderable renderable) {
   if (attachment.object_type() == GL_NONE) return true;
+  if (attachment.texture != nullptr && attachment.texture->descriptions[attachment.face][attachment.level].blocks != nullptr) return false;
   const Surface surface = attachment.surface();
   return surface.width_px > 0 && surface.height_px > 0 && renderable(surface);
 }
 
-/// An image that could be drawn into, but not by this implementation: of luminance, intensity or alpha.
+/// An image that could be drawn into, but not by this implementation: it is too large.
 bool is_supported(const Attachment& attachment) {
   if (attachment.texture == nullptr) return true;
   const pipeline::Image& image = attachment.image();

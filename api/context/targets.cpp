@@ -18,6 +18,7 @@ void Context::tile_attachments(const FramebufferObject& framebuffer) {
     pipeline::Image& image = attachment.image();
     if (image.tiles != nullptr || !pipeline::is_attachable(image)) return;
     finish_rendering();
+    if (pipeline::wide_format(image.format) != image.format) pipeline::widen(*attachment.texture->texture);
     pipeline::put_into_tiles(image);
     change(dirty_textures);
   });

@@ -7,6 +7,7 @@ PRELUDE = """\
 #define __gl_h_
 
 #include <stddef.h>
+#include <stdint.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,6 +50,7 @@ typedef double GLdouble;
 typedef double GLclampd;
 typedef ptrdiff_t GLintptr;
 typedef ptrdiff_t GLsizeiptr;
+typedef int64_t GLint64;
 """
 
 # Types that only extensions use, with the extension that brings them.

@@ -20,7 +20,10 @@ EXTRA_ALIASES = {
 
 # What we offer of later versions without offering those versions: (name of the section, enums, commands). Programs that
 # look for extensions one by one find them so, whatever the version.
-EXTRA_SECTIONS = (("GL_GOURAUD_get_stringi", ("GL_NUM_EXTENSIONS",), ("GetStringi",)),)
+EXTRA_SECTIONS = (
+    ("GL_GOURAUD_get_stringi", ("GL_NUM_EXTENSIONS",), ("GetStringi",)),
+    ("GL_GOURAUD_get_integer64", (), ("GetInteger64v",)),
+)
 
 
 @dataclass(frozen=True)
@@ -93,13 +96,21 @@ class Registry:
         return [command for command in self.commands.values() if command.source.startswith("GL_VERSION")]
 
 
+@dataclass(frozen=True)
+class Listed:
+    advertised: bool
+    same_as: str | None = None  # the extension that it is another name of
+
+
 def read_extension_list(path):
-    """{name: advertised}; a line is a name, and the word `works` behind it where GL_EXTENSIONS shall list it."""
+    """{name: Listed}; a line is a name, the word `works` behind it where GL_EXTENSIONS shall list it, and `as` with another
+    extension's name where gl.xml does not have it but the other."""
     extensions = {}
     for line in Path(path).read_text().splitlines():
-        words = line.split("#")[0].split()
-        if words:
-            extensions[words[0]] = words[1:] == ["works"]
+        name, *words = line.split("#")[0].split() or [None]
+        if name:
+            same_as = words[words.index("as") + 1] if "as" in words else None
+            extensions[name] = Listed("works" in words, same_as)
     return extensions
 
 
@@ -126,10 +137,12 @@ def _sources(root, extensions):
         if node.get("api") == "gl" and node.get("number") <= LAST_VERSION:
             yield node.get("name"), True, node
     nodes = {node.get("name"): node for node in root.find("extensions")}
-    for name, advertised in extensions.items():
-        if name not in nodes:
+    for name, listed in extensions.items():
+        if listed.same_as is not None and listed.same_as not in extensions:
+            raise SystemExit(f"extensions.txt: {name} is said to be {listed.same_as}, which is not there")
+        if name not in nodes and listed.same_as is None:
             raise SystemExit(f"extensions.txt: gl.xml has no {name}")
-        yield name, advertised, nodes[name]
+        yield name, listed.advertised, nodes.get(listed.same_as or name)
 
 
 def _add_section(registry, name, advertised, node, xml_commands, xml_enums):

@@ -97,13 +97,22 @@ class Aliases(unittest.TestCase):
         self.assertNotIn("ActiveTextureARB", REGISTRY.commands)
 
     def test_an_extension_is_one_line(self):
-        registry = registry_module.read_registry(XML, {"GL_EXT_framebuffer_object": True})
+        registry = registry_module.read_registry(XML, {"GL_EXT_framebuffer_object": registry_module.Listed(True)})
         self.assertIn("GenFramebuffersEXT", registry.commands)
         self.assertIn("GL_FRAMEBUFFER_EXT", headers.gl_h(registry))
         self.assertIn("GL_EXT_framebuffer_object", headers.extension_names_h(registry))
         both = registry_module.read_registry(
-            XML, {"GL_ARB_framebuffer_object": False, "GL_EXT_framebuffer_object": False})
+            XML, dict.fromkeys(("GL_ARB_framebuffer_object", "GL_EXT_framebuffer_object"), registry_module.Listed(False)))
         self.assertIn("GenFramebuffersEXT", both.commands["GenFramebuffers"].aliases)
+
+
+class OtherNames(unittest.TestCase):
+    def test_brings_what_the_other_brings(self):
+        listed = {"GL_ARB_texture_rectangle": registry_module.Listed(True),
+                  "GL_EXT_texture_rectangle": registry_module.Listed(True, "GL_ARB_texture_rectangle")}
+        self.assertIn("GL_EXT_texture_rectangle", headers.extension_names_h(registry_module.read_registry(XML, listed)))
+        with self.assertRaises(SystemExit):
+            registry_module.read_registry(XML, {"GL_EXT_texture_rectangle": listed["GL_EXT_texture_rectangle"]})
 
 
 class Advertised(unittest.TestCase):
@@ -123,7 +132,7 @@ class Advertised(unittest.TestCase):
                      "EXT_packed_pixels", "EXT_subtexture", "EXT_copy_texture", "EXT_texture_object",
                      "SGIS_texture_edge_clamp", "ARB_texture_border_clamp", "ARB_multisample", "ARB_texture_cube_map",
                      "ARB_texture_compression", "EXT_multi_draw_arrays", "EXT_blend_minmax"):
-            self.assertTrue(EXTENSIONS.get("GL_" + name), name)
+            self.assertTrue(EXTENSIONS["GL_" + name].advertised, name)
 
 
 class Header(unittest.TestCase):

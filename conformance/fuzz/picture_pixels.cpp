@@ -76,7 +76,7 @@ void zoom(Brush& b) {
 void transfer(Brush& b) {
   for (GLenum component = 0; component < 4; ++component) {
     b.gl.PixelTransferf(GL_RED_SCALE + 2 * component + (component > 0 ? 2u : 0u), b.level() + 0.5f);
-    b.gl.PixelTransferf(GL_RED_BIAS + 2 * component + (component > 0 ? 2u : 0u), b.level() - 0.5f);
+    b.gl.PixelTransferf(GL_RED_BIAS + 2 * component + (component > 0 ? 2u : 0u), b.range(-0.5f, 0.5f));
   }
   if (b.chance(2)) return;
   std::array<float, 16> map{};
@@ -86,9 +86,12 @@ void transfer(Brush& b) {
 }
 
 void storage(Brush& b) {
+  float red_scale = 1.0f;
+  b.gl.GetFloatv(GL_RED_SCALE, &red_scale);
+  const bool skips = red_scale == 1.0f;  // Mesa skips nothing of texture images that it transfers
   b.gl.PixelStorei(GL_UNPACK_ROW_LENGTH, 16 + b.below(4));
-  b.gl.PixelStorei(GL_UNPACK_SKIP_ROWS, b.below(3));
-  b.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, b.below(3));
+  b.gl.PixelStorei(GL_UNPACK_SKIP_ROWS, skips ? b.below(3) : 0);
+  b.gl.PixelStorei(GL_UNPACK_SKIP_PIXELS, skips ? b.below(3) : 0);
   b.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1 << b.below(4));
   b.gl.PixelStorei(GL_UNPACK_LSB_FIRST, b.below(2));
   b.gl.PixelStorei(GL_UNPACK_SWAP_BYTES, b.below(2));

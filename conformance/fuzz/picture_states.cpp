@@ -75,9 +75,13 @@ void color_material(Brush& b) {
   b.gl.ColorMaterial(b.one_of({GL_FRONT, GL_BACK, GL_FRONT_AND_BACK}),
                      b.one_of({GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE}));
   b.gl.Enable(GL_COLOR_MATERIAL);
+  b.gl.Color4fv(b.color().v);  // Mesa takes over the current colour only when it is set again
 }
 
-void flat(Brush& b) { b.gl.ShadeModel(GL_FLAT); }
+/// Unlit: Mesa's rectangles have the colour of their last vertex, not of a polygon's first [GL1.5 §2.10].
+void flat(Brush& b) {
+  if (b.gl.IsEnabled(GL_LIGHTING) == GL_FALSE) b.gl.ShadeModel(GL_FLAT);
+}
 
 void clip_planes(Brush& b) {
   for (int i = b.below(2); i >= 0; --i) {

@@ -110,7 +110,8 @@ class Draw {
   }
 
   bool is_clipped(const pipeline::VertexBatch& batch, const pipeline::PrimitiveRange& range) const {
-    for (int n = range.first; n < range.first + range.count; ++n) {
+    const int left_over = range.count % (range.mode == pipeline::PrimitiveMode::quads ? 4 : 2);
+    for (int n = range.first; n < range.first + range.count - left_over; ++n) {
       const int named = range.indexed ? batch.elements[static_cast<std::size_t>(n)] : n;
       if (!in_view_volume(vertex(named), state_.clip_planes, state_.viewport.zero_to_one)) return true;
     }

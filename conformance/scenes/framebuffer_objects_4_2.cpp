@@ -262,6 +262,9 @@ SceneList framebuffer_object_scenes() {
   return {
       {.name = "fbo_texture", .section = buffers, .shows = "A turned picture of a ring, repeated at its edges.", .judge = Judge::textures, .draw = render_to_texture<GL_RGBA8>},
       {.name = "fbo_texture_rgb", .section = buffers, .shows = "The same without alpha.", .judge = Judge::textures, .draw = render_to_texture<GL_RGB8>},
+      {.name = "fbo_texture_luminance", .section = buffers, .shows = "The ring's red as luminance.", .judge = Judge::textures, .draw = render_to_texture<GL_LUMINANCE8>},
+      {.name = "fbo_texture_luminance_alpha", .section = buffers, .shows = "The same with alpha.", .judge = Judge::textures, .draw = render_to_texture<GL_LUMINANCE8_ALPHA8>},
+      {.name = "fbo_texture_intensity", .section = buffers, .shows = "The ring's red as intensity.", .judge = Judge::textures, .draw = render_to_texture<GL_INTENSITY8>},
       {.name = "fbo_depths", .section = buffers, .shows = "The ring's depths in shades of grey.", .judge = oracle, .draw = render_depths},
       {.name = "fbo_levels", .section = buffers, .shows = "A floor of rings, another ground a level.", .judge = oracle, .draw = render_to_levels},
       {.name = "fbo_generated_levels", .section = buffers, .shows = "A floor of rings that blur into the distance.", .judge = oracle, .draw = generated_levels},

@@ -114,7 +114,8 @@ void assemble_polygon(Indices at, const PrimitiveRange& range, std::vector<Assem
 }  // namespace
 
 bool is_clipped(const PrimitiveRange& range, const VertexBatch& batch, const ProcessedVertices& vertices) {
-  for (std::int32_t i = range.first; i < range.first + range.count; ++i) {
+  const std::int32_t left_over = range.count % (range.mode == PrimitiveMode::quads ? 4 : 2);
+  for (std::int32_t i = range.first; i < range.first + range.count - left_over; ++i) {
     const std::size_t vertex = range.indexed ? batch.elements[static_cast<std::size_t>(i)] : static_cast<std::size_t>(i);
     if (vertices.outcode[vertex] != 0) return true;
   }

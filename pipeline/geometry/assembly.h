@@ -36,7 +36,7 @@ struct QuadSplit {
   bool strips_far_half_first = false;
 };
 
-/// Whether a vertex of the range lies outside the clip volume.
+/// Whether a vertex of the range's quads lies outside the clip volume; of quads or a strip of them.
 bool is_clipped(const PrimitiveRange& range, const VertexBatch& batch, const ProcessedVertices& vertices);
 
 /// Whether range `i` begins quads that are drawn together, and whether a vertex of those from range `i` on lies outside.

@@ -38,6 +38,23 @@ bool holds_stencil(const std::vector<std::byte>& words) {
   return false;
 }
 
+/// Of colours.
+bool has_alpha(BaseFormat base) {
+  return base == BaseFormat::rgba || base == BaseFormat::alpha || base == BaseFormat::luminance_alpha || base == BaseFormat::depth;
+}
+
+/// The channels that framebuffers write, R in bit 0: L and I take R [ARB_framebuffer_object, "Framebuffer Objects"].
+std::uint8_t written_channels(BaseFormat base) {
+  switch (base) {
+    case BaseFormat::alpha: return 0b1000;
+    case BaseFormat::luminance:
+    case BaseFormat::intensity: return 0b0001;
+    case BaseFormat::luminance_alpha: return 0b1001;
+    case BaseFormat::rgb: return 0b0111;
+    default: return 0b1111;
+  }
+}
+
 bool is_zero(const std::vector<std::byte>& row) {
   return std::all_of(row.begin(), row.end(), [](std::byte byte) { return byte == std::byte{0}; });
 }
@@ -69,17 +86,44 @@ bool is_attachable(const Image& image) {
   // As the sampler counts (wrap-inl.h): tiles may take several times what the texels do.
   constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
   const auto up = [](std::int64_t size) { return (size + tile_size - 1) / tile_size * tile_size; };
-  const bool drawable = color_format(image.format) != ColorFormat::none || depth_format(image.format) != DepthFormat::none;
+  const bool drawable = color_format(wide_format(image.format)) != ColorFormat::none || depth_format(image.format) != DepthFormat::none;
   return !image.empty() && drawable && up(image.width) * up(image.height) * image.depth <= most_pixels;
+}
+
+void widen(Image& image) {
+  if (image.empty() || wide_format(image.format) == image.format) return;
+  Image wide = image;
+  wide.format = wide_format(image.format);
+  allocate_texels(wide);
+  const auto count = static_cast<std::size_t>(image.width);
+  std::vector<float> colors(4 * count);
+  for (int z = 0; z < image.depth; ++z) {
+    for (int y = 0; y < image.height; ++y) {
+      load_colors(image, texel_row(image, y, z), count, colors.data());
+      store_colors(wide, colors.data(), count, texel_row(wide, y, z));
+    }
+  }
+  image = wide;
+}
+
+void widen(Texture& texture) {
+  for (auto& face : texture.faces) {
+    for (Image& image : face) widen(image);
+  }
+}
+
+bool has_widened_images(const Texture& texture) {
+  return std::any_of(texture.faces.begin(), texture.faces.end(), [](const auto& face) { return std::any_of(face.begin(), face.end(), is_widened); });
 }
 
 void put_into_tiles(Image& image) {
   if (image.tiles != nullptr) return;
+  widen(image);
   Image tiled = image;
   tiled.texels = nullptr;
   tiled.tiles = std::make_shared<TiledBuffer>(image.width, image.height, bytes_per_texel(image.format), image.depth);
   make_stencil_plane(tiled);
-  const bool opaque = image.base_format == BaseFormat::rgb;
+  const bool opaque = !has_alpha(image.base_format);
   if (opaque) clear_to_opaque(tiled);
   std::vector<std::byte> row(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(bytes_per_texel(image.format)));
   bool any = false;
@@ -101,8 +145,8 @@ Surface surface_of(const Image& image, int slice) {
   Surface surface;
   surface.width_px = image.width;
   surface.height_px = image.height;
-  surface.color_format = color_format(image.format);
-  surface.channels = image.base_format == BaseFormat::rgb ? 0b0111 : 0b1111;
+  surface.color_format = color_format(wide_format(image.format));
+  surface.channels = written_channels(image.base_format);
   surface.depth_format = depth_format(image.format);
   surface.has_depth = surface.depth_format != DepthFormat::none;
   surface.has_stencil = image.has_stencil;

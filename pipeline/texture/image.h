@@ -18,7 +18,8 @@
 namespace gouraud::pipeline {
 
 /// How a texel lies in memory; channels in the order R, G, B, A. One-channel formats hold A, L, I (Image::base_format says
-/// which), two-channel ones L and A. RGB images are stored as RGBA with alpha 1.
+/// which), two-channel ones L and A. RGB images are stored as RGBA with alpha 1. So are A, L, LA and I once framebuffers
+/// draw into them: L and I in R, A in A (wide_format()).
 enum class TexelFormat : std::uint8_t { none, r8, rg8, rgba8, r16, rg16, rgba16, rgba32f, z16, z24s8, z32f };
 
 /// Base internal formats [GL1.5 Table 3.15]: what the environment takes from a texel.
@@ -41,6 +42,20 @@ constexpr int bytes_per_texel(TexelFormat format) {
   return 0;
 }
 
+/// Of as many channels as a pixel of a framebuffer has, and as many bits a channel.
+constexpr TexelFormat wide_format(TexelFormat format) {
+  switch (format) {
+    case TexelFormat::r8:
+    case TexelFormat::rg8: return TexelFormat::rgba8;
+    case TexelFormat::r16:
+    case TexelFormat::rg16: return TexelFormat::rgba16;
+    default: return format;
+  }
+}
+constexpr bool has_four_channels(TexelFormat format) {
+  return format == TexelFormat::rgba8 || format == TexelFormat::rgba16 || format == TexelFormat::rgba32f;
+}
+
 /// One level of one face. Texel (x, y, z) counts from the lower left of the image, border included: the border of width
 /// `border` surrounds it in the dimensions that the target has.
 struct Image {
@@ -58,6 +73,12 @@ struct Image {
 
   bool empty() const { return width == 0 || height == 0 || depth == 0; }
 };
+
+/// Whether it has more channels than its base format (wide_format()).
+inline bool is_widened(const Image& image) {
+  using enum BaseFormat;
+  return has_four_channels(image.format) && image.base_format != rgb && image.base_format != rgba;
+}
 
 /// Whether texels of one fit the other, and mean the same there.
 inline bool have_same_shape(const Image& a, const Image& b) {

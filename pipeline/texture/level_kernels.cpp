@@ -159,6 +159,8 @@ LevelKernel select(const PreparedUnit& unit, bool linear) {
     case TexelFormat::r8: return select_unorm8<WordsR8>(unit, linear);
     case TexelFormat::rg8: return select_unorm8<WordsRG8>(unit, linear);
     case TexelFormat::rgba8:
+      if (unit.widened) return select_unorm8<WordsWide8>(unit, linear);
+      break;
     case TexelFormat::none: break;
     case TexelFormat::r16:
     case TexelFormat::z16: return compares ? select_float<Comparison<R16>>(linear) : select_float<Colors<R16>>(linear);

@@ -196,7 +196,10 @@ constexpr std::array all_kinds{
     Kind{TexelFormat::rg8, BaseFormat::luminance_alpha}, Kind{TexelFormat::rgba8, BaseFormat::rgb}, Kind{TexelFormat::rgba8, BaseFormat::rgba},
     Kind{TexelFormat::r16, BaseFormat::luminance},  Kind{TexelFormat::rg16, BaseFormat::luminance_alpha},
     Kind{TexelFormat::rgba16, BaseFormat::rgba},    Kind{TexelFormat::rgba32f, BaseFormat::rgba}, Kind{TexelFormat::z16, BaseFormat::depth},
-    Kind{TexelFormat::z24s8, BaseFormat::depth},    Kind{TexelFormat::z32f, BaseFormat::depth}};
+    Kind{TexelFormat::z24s8, BaseFormat::depth},    Kind{TexelFormat::z32f, BaseFormat::depth},
+    Kind{TexelFormat::rgba8, BaseFormat::alpha},    Kind{TexelFormat::rgba8, BaseFormat::luminance}, Kind{TexelFormat::rgba8, BaseFormat::intensity},
+    Kind{TexelFormat::rgba8, BaseFormat::luminance_alpha}, Kind{TexelFormat::rgba16, BaseFormat::alpha},
+    Kind{TexelFormat::rgba16, BaseFormat::luminance}, Kind{TexelFormat::rgba16, BaseFormat::luminance_alpha}};
 
 TEST(Sampling, EveryWrapModeFilterAndTarget) {
   auto f = std::make_unique<Fixture>();

@@ -111,15 +111,16 @@ Texel expand_channels(const Image& image, const Texel& c) {
   const auto decoded = [&](float value) {
     return image.srgb ? decode_srgb(static_cast<std::uint8_t>(std::nearbyint(unit(value) * 255.0))) : value;
   };
+  const bool wide = has_four_channels(image.format);
   switch (image.base_format) {
-    case BaseFormat::alpha: return {0, 0, 0, c[0]};
+    case BaseFormat::alpha: return {0, 0, 0, wide ? c[3] : c[0]};
     case BaseFormat::luminance: {
       const float l = decoded(c[0]);
       return {l, l, l, 1};
     }
     case BaseFormat::luminance_alpha: {
       const float l = decoded(c[0]);
-      return {l, l, l, c[1]};
+      return {l, l, l, wide ? c[3] : c[1]};
     }
     case BaseFormat::intensity:
     case BaseFormat::depth: return {c[0], c[0], c[0], c[0]};

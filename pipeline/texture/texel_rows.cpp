@@ -17,8 +17,9 @@ struct Channels {
   std::array<std::uint8_t, 4> source{0, 1, 2, 3};
 };
 
-Channels channels_of(BaseFormat base) {
-  switch (base) {
+Channels channels_of(const Image& image) {
+  if (has_four_channels(image.format)) return {};
+  switch (image.base_format) {
     case BaseFormat::alpha: return {1, {3}};
     case BaseFormat::luminance:
     case BaseFormat::intensity:
@@ -56,10 +57,21 @@ T take(const std::byte* in, std::size_t index) {
   return value;
 }
 
+/// Of four channels, those that the base format lacks: 0, and 1 for alpha.
+template <class T>
+void fill_missing(BaseFormat base, std::size_t count, std::byte* out) {
+  const bool color = base == BaseFormat::rgb, alpha = base == BaseFormat::alpha || base == BaseFormat::luminance_alpha;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (base == BaseFormat::alpha) put<T>(out, 4 * i, T{0});
+    for (std::size_t c = 1; c < 3 && !color; ++c) put<T>(out, 4 * i + c, T{0});
+    if (!alpha) put<T>(out, 4 * i + 3, full_channel<T>());
+  }
+}
+
 /// convert(component) gives a channel.
 template <class T, class Component, class Convert>
 void store_channels(const Image& image, const Component* rgba, std::size_t count, std::byte* out, Convert convert) {
-  const Channels channels = channels_of(image.base_format);
+  const Channels channels = channels_of(image);
   if (channels.count == 1) {
     const Component* in = rgba + channels.source[0];
     for (std::size_t i = 0; i < count; ++i) put<T>(out, i, convert(in[4 * i]));
@@ -70,8 +82,7 @@ void store_channels(const Image& image, const Component* rgba, std::size_t count
     }
   } else {
     for (std::size_t i = 0; i < 4 * count; ++i) put<T>(out, i, convert(rgba[i]));
-    if (image.base_format != BaseFormat::rgb) return;
-    for (std::size_t i = 0; i < count; ++i) put<T>(out, 4 * i + 3, full_channel<T>());
+    if (image.base_format != BaseFormat::rgba) fill_missing<T>(image.base_format, count, out);
   }
 }
 
@@ -79,7 +90,7 @@ void store_channels(const Image& image, const Component* rgba, std::size_t count
 template <class T, class Component, class Convert>
 void load_channels(const Image& image, const std::byte* texels, std::size_t count, Component* rgba, Convert convert,
                    Component one) {
-  const Channels channels = channels_of(image.base_format);
+  const Channels channels = channels_of(image);
   const auto step = static_cast<std::size_t>(channels.count);
   for (std::size_t i = 0; i < count; ++i, rgba += 4) {
     rgba[0] = rgba[1] = rgba[2] = Component{0};

@@ -65,6 +65,17 @@ struct WordsRG8 {
     return hn::Or(hn::Or(luminance, hn::ShiftLeft<8>(luminance)), hn::Or(hn::ShiftLeft<16>(luminance), alpha));
   }
 };
+/// A, L, LA and I in four channels. The map is that of one channel.
+struct WordsWide8 {
+  static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
+    const IntTag d;
+    const IntVector word = gather_word<4>(texels, offset), red = hn::And(word, hn::Set(d, 0xFF));
+    const IntVector alpha = hn::And(word, hn::Set(d, static_cast<std::int32_t>(0xFF000000u)));
+    if (map.multiply == 0x01000000) return alpha;
+    if (map.multiply != 1) return hn::Or(hn::Mul(red, hn::Set(d, map.multiply)), hn::Set(d, map.bits));
+    return hn::Or(hn::Mul(red, hn::Set(d, 0x00010101)), alpha);
+  }
+};
 struct WordsRGBA8 {
   static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
     return hn::Or(gather_word<4>(texels, offset), hn::Set(IntTag(), map.bits));
@@ -130,6 +141,22 @@ HWY_INLINE TexelVector spread(FloatVector v, BaseFormat format) {
   return {{v, v, v, v}};
 }
 
+/// Four stored channels to R, G, B, A.
+HWY_INLINE TexelVector wide_texel(BaseFormat format, const TexelVector& v) {
+  const FloatTag d;
+  const FloatVector red = v.channel[0], alpha = v.channel[3], one = hn::Set(d, 1.0f), zero = hn::Zero(d);
+  switch (format) {
+    case BaseFormat::alpha: return {{zero, zero, zero, alpha}};
+    case BaseFormat::luminance: return {{red, red, red, one}};
+    case BaseFormat::luminance_alpha: return {{red, red, red, alpha}};
+    case BaseFormat::intensity:
+    case BaseFormat::depth: return {{red, red, red, red}};
+    case BaseFormat::rgb: return {{red, v.channel[1], v.channel[2], one}};
+    case BaseFormat::rgba: break;
+  }
+  return v;
+}
+
 HWY_INLINE FloatVector low_half(IntVector word) {
   return scaled(hn::And(word, hn::Set(IntTag(), 0xFFFF)), 1.0f / 65535.0f);
 }
@@ -155,7 +182,7 @@ struct RGBA16 {
   static HWY_INLINE TexelVector load(const PreparedUnit& unit, const std::byte* texels, IntVector offset) {
     const IntVector twice = hn::ShiftLeft<1>(offset);
     const IntVector rg = gather_word<4>(texels, twice), ba = gather_word<4>(texels + 4, twice);
-    return {{low_half(rg), high_half(rg), low_half(ba), unit.base_format == BaseFormat::rgb ? hn::Set(FloatTag(), 1.0f) : high_half(ba)}};
+    return wide_texel(unit.base_format, {{low_half(rg), high_half(rg), low_half(ba), high_half(ba)}});
   }
 };
 struct RGBA32F {
@@ -165,17 +192,7 @@ struct RGBA32F {
     const auto channel = [&](std::size_t k) HWY_ATTR {
       return hn::BitCast(d, gather_word<4>(texels + 4 * k, four_times));
     };
-    const FloatVector one = hn::Set(d, 1.0f), zero = hn::Zero(d);
-    switch (unit.base_format) {
-      case BaseFormat::alpha: return {{zero, zero, zero, channel(3)}};
-      case BaseFormat::luminance: return {{channel(0), channel(0), channel(0), one}};
-      case BaseFormat::luminance_alpha: return {{channel(0), channel(0), channel(0), channel(3)}};
-      case BaseFormat::intensity:
-      case BaseFormat::depth: return {{channel(0), channel(0), channel(0), channel(0)}};
-      case BaseFormat::rgb: return {{channel(0), channel(1), channel(2), one}};
-      case BaseFormat::rgba: break;
-    }
-    return {{channel(0), channel(1), channel(2), channel(3)}};
+    return wide_texel(unit.base_format, {{channel(0), channel(1), channel(2), channel(3)}});
   }
 };
 struct Z24S8 {

@@ -65,6 +65,7 @@ void prepare_unit(const TextureUnitState& state, PreparedUnit& out) {
   }
   out.format = first.format;
   out.srgb = first.srgb;
+  out.widened = is_widened(first);
   out.base_format = texture_base_format(state);
   out.border = border_texel(state.sampler.border_color, out.base_format, first.base_format == BaseFormat::depth, state.sampler.compares);
   out.kernel = {level_kernel(out, TexelFilter::nearest), level_kernel(out, TexelFilter::linear)};

@@ -71,6 +71,7 @@ struct PreparedUnit {
   bool srgb = false;
   /// What the environment sees; a depth texture's by its mode.
   BaseFormat base_format = BaseFormat::rgba;
+  bool widened = false;  ///< four channels of a base format of fewer
   std::array<float, 4> border{};  ///< the border colour as this base format has it
   std::array<LevelKernel, 2> kernel{};  ///< nearest, linear
   SampleFunction sample = nullptr;
