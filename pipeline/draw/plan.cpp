@@ -135,7 +135,7 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool has_varyings = plan.textured || plan.fog || plan.phong;
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured && !plan.phong;
-  const LanesWanted wanted = plan.textured || plan.phong ? LanesWanted::all : LanesWanted::covered;
+  const LanesWanted wanted = plan.phong ? LanesWanted::all : LanesWanted::covered;
   const auto shade = [&] {
     if (plan.colors && !plan.phong) passes.add(color_interpolation_pass(target.methods.colors));
     if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors, wanted));

@@ -7,7 +7,8 @@
 
 namespace gouraud::pipeline {
 
-/// Passes that look at neighbours (levels of detail) want all lanes; others leave out rows that nothing covers.
+/// Passes that light all lanes want all; others leave out pairs of rows that nothing covers. (Levels of detail come from planes,
+/// not from neighbours.)
 enum class LanesWanted : std::uint8_t { all, covered };
 
 /// Fills the varyings of the binding's layout, in the lanes wanted at least.

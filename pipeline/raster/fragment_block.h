@@ -38,7 +38,7 @@ struct FragmentBlock {
   /// In place of `color` behind a pass that gives the colours of an 8-bit target as it stores them.
   PixelWords words;
   /// Of each lane, covered or not, in the order of the binding's VaryingLayout; valid behind the pass that interpolates
-  /// varyings. Not initialized: a block is cheap as long as nobody asks for them.
+  /// varyings, in pairs of rows that hold covered lanes. Not initialized: a block is cheap as long as nobody asks for them.
   alignas(64) std::array<std::array<float, 64>, max_varyings> varying;
   /// What a smooth point, line or polygon covers of each pixel, or how far a sampled point has faded, in [0, 1]; valid if
   /// the plan applies coverage.

@@ -148,7 +148,8 @@ void combine(FragmentBlock& block, const EnvironmentInput& input) {
 EnvironmentFunction select_combiner() { return combine; }
 
 void pack_colors(FragmentBlock& block) {
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(IntTag())) {
+  const PairRange pairs = covered_pairs(block.coverage);
+  for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(IntTag())) {
     const auto channel = [&](std::size_t k) HWY_ATTR { return hn::Load(FloatTag(), block.color[k].data() + lane); };
     hn::Store(pack_unorm8(channel(0), channel(1), channel(2), channel(3)), IntTag(), block.words.word.data() + lane);
   }

@@ -37,7 +37,8 @@ struct DividedCoordinates {
     const auto first = static_cast<std::size_t>(layout.first), count = static_cast<std::size_t>(layout.dimensions);
     for (std::size_t k = 0; k < count; ++k) coordinate[k] = block.varying[first + k].data();
     if (!layout.has_q) return;
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const PairRange pairs = covered_pairs(block.coverage);
+    for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(d)) {
       const FloatVector q = hn::Load(d, block.varying[first + count].data() + lane);
       for (std::size_t k = 0; k < count; ++k) hn::Store(hn::Div(hn::Load(d, coordinate[k] + lane), q), d, lanes[k] + lane);
     }
@@ -92,7 +93,8 @@ HWY_INLINE void read_minified(const PreparedUnit& unit, Reader& reader, float lo
   const bool mixes = sampler.mip == MipFilter::linear;
 
   // The level of each lane; its LOD becomes the share of the next level.
-  for (std::size_t lane = 0; lane < 64 && (mixes || !one_level); lane += hn::Lanes(d)) {
+  const PairRange pairs = covered_pairs(lanes);
+  for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes && (mixes || !one_level); lane += hn::Lanes(d)) {
     const FloatVector v = hn::Load(d, lod + lane);
     if (one_level) {
       hn::Store(clamp_lanes(hn::Sub(v, hn::Set(d, first_level)), hn::Zero(d), hn::Set(d, 1.0f)), d, lod + lane);
@@ -141,7 +143,7 @@ HWY_INLINE void read_levels(const PreparedUnit& unit, Reader& reader, const Coor
   if (sampler.mip == MipFilter::none && lowest > 0.0f) return reader.read(0, sampler.minify, lanes, keeps_others);
 
   alignas(64) float lambda[64];
-  lod.lanes(lambda, adjusted);
+  lod.lanes(covered_pairs(lanes), lambda, adjusted);
   const std::uint64_t minified = sampler.minify == sampler.magnify ? lanes : lanes & lanes_above_zero(lambda);
   if (minified != lanes) {
     reader.read(0, sampler.magnify, lanes & ~minified, keeps_others);

@@ -116,26 +116,26 @@ class BlockLod {
   HWY_INLINE float lowest() const { return lowest_; }
   HWY_INLINE float highest() const { return highest_; }
 
-  /// adjusted(value) of all lanes.
+  /// adjusted(value) of the lanes of these row pairs.
   template <class Adjust>
-  HWY_INLINE void lanes(float* out, const Adjust& adjusted) const {
+  HWY_INLINE void lanes(const PairRange& pairs, float* out, const Adjust& adjusted) const {
     const FloatTag d;
     if (varies_little_) {
-      return store_lanes(out, change_, adjusted, [&](FloatVector e) HWY_ATTR {
+      return store_lanes(pairs, out, change_, adjusted, [&](FloatVector e) HWY_ATTR {
         // log2(1 + e) for |e| <= 1/16: the first five terms of the series, at most 1.5e-8 off.
         constexpr float terms[] = {1.44269504f, -0.72134752f, 0.48089835f, -0.36067376f, 0.28853901f};
         return hn::Add(hn::Set(d, logs_[18]), hn::Mul(e, polynomial(d, terms, e)));
       });
     }
-    store_lanes(out, q_, adjusted, [&](FloatVector q) HWY_ATTR { return log2(d, q); });
+    store_lanes(pairs, out, q_, adjusted, [&](FloatVector q) HWY_ATTR { return log2(d, q); });
   }
 
  private:
   /// log_of(value of the plane in a lane) is log2 Q.
   template <class Adjust, class LogOf>
-  HWY_INLINE void store_lanes(float* out, const BlockPlane& plane, const Adjust& adjusted, const LogOf& log_of) const {
+  HWY_INLINE void store_lanes(const PairRange& pairs, float* out, const BlockPlane& plane, const Adjust& adjusted, const LogOf& log_of) const {
     const FloatTag d;
-    for (std::size_t pair = 0; pair < row_pairs; ++pair) {
+    for (std::size_t pair = pairs.first; pair < pairs.end; ++pair) {
       for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(d)) {
         const FloatVector numerator = hn::Max(row_logs(pair, offset), column_logs(offset));
         const FloatVector value = hn::Add(first_pair(plane, offset), hn::Mul(hn::Set(d, static_cast<float>(pair)), pair_step(plane)));

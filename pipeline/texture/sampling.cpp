@@ -15,6 +15,7 @@
 
 #include "pipeline/texture/anisotropy-inl.h"
 #include "pipeline/texture/levels-inl.h"
+#include "pipeline/texture/tiles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
@@ -26,20 +27,19 @@ struct LaneCoordinates {
   std::int32_t face = 0;
 };
 
-/// Tiles that a cleared framebuffer owes its pixels (TiledBuffer) get them before they are read.
+/// All texels that a filter of these axes reads.
 void make_tiles_readable(const PreparedLevel& level, const std::array<AxisTexels, 3>& axis, int dimensions, bool linear, std::uint64_t lanes) {
+  const IntTag d;
   std::int32_t last = -1;
-  for (std::size_t lane = 0; lane < 64; ++lane) {
-    if ((lanes >> lane & 1) == 0) continue;
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t wanted = lane_bits(lanes, lane);
+    if (wanted == 0) continue;
     for (int corner = 0; corner < (linear ? 1 << dimensions : 1); ++corner) {
-      std::int32_t offset = 0;
+      IntVector offset = hn::Zero(d);
       for (std::size_t k = 0; k < static_cast<std::size_t>(dimensions); ++k) {
-        offset += ((corner >> k & 1) != 0 ? axis[k].second : axis[k].first)[lane];
+        offset = hn::Add(offset, hn::Load(d, ((corner >> k & 1) != 0 ? axis[k].second : axis[k].first).data() + lane));
       }
-      const std::int32_t tile = offset / pixels_per_tile;
-      if (offset < 0 || tile == last) continue;
-      last = tile;
-      level.image->tiles->make_readable(tile);
+      make_tiles_readable(*level.image->tiles, offset, wanted, last);
     }
   }
 }
@@ -245,6 +245,7 @@ void sample_cube_map(const FragmentBlock& block, const PreparedUnit& unit, Texel
     const auto of = [](std::int8_t axis) { return static_cast<std::size_t>(axis); };
     alignas(64) float s[64], t[64];
     for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+      if (lane_bits(lanes, lane) == 0) continue;
       const FloatVector reach = hn::Abs(hn::Load(d, direction[of(axes.m_axis)] + lane));
       const auto coordinate = [&](std::int8_t axis, std::int8_t sign) HWY_ATTR {
         const FloatVector c = hn::Mul(hn::Load(d, direction[of(axis)] + lane), hn::Set(d, 0.5f * sign));

@@ -16,6 +16,9 @@ void apply_textures(FragmentBlock& block, const TileTarget&) {
   TexelBlock primary;
   if (units.keeps_primary) primary.channel = block.color;
   const auto count = static_cast<std::size_t>(units.count);
+  for (std::size_t i = 0; units.fetches && i < count; ++i) {
+    if (units.unit[i].fetch != nullptr) units.unit[i].fetch(block, units.unit[i]);
+  }
   for (std::size_t i = 0; i < count; ++i) units.unit[i].sample(block, units.unit[i], texels[units.unit[i].state.unit]);
   for (std::size_t i = 0; i < count; ++i) {
     const PreparedUnit& unit = units.unit[i];

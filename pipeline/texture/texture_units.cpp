@@ -6,6 +6,7 @@
 #include "pipeline/texture/fixed_units.h"
 #include "pipeline/texture/level_kernels.h"
 #include "pipeline/texture/sampling.h"
+#include "pipeline/texture/shadow_samples.h"
 #include "pipeline/texture/texel_access.h"
 
 namespace gouraud::pipeline {
@@ -70,7 +71,9 @@ void prepare_unit(const TextureUnitState& state, PreparedUnit& out) {
   out.border = border_texel(state.sampler.border_color, out.base_format, first.base_format == BaseFormat::depth, state.sampler.compares);
   out.kernel = {level_kernel(out, TexelFilter::nearest), level_kernel(out, TexelFilter::linear)};
   const SampleFunction fixed = fixed_sample_function(out);
-  out.sample = fixed != nullptr ? fixed : sample_function(out);
+  const ShadowFunctions shadow = shadow_functions(out);
+  out.sample = fixed != nullptr ? fixed : shadow.sample != nullptr ? shadow.sample : sample_function(out);
+  out.fetch = shadow.fetch;
   out.environment = environment_function(state.environment, out.base_format);
 }
 
@@ -99,9 +102,10 @@ BaseFormat texture_base_format(const TextureUnitState& unit) {
 void prepare_texture_units(const TexturingState& state, float output_scale, TextureUnits& out) {
   out.count = state.count;
   out.output_scale = output_scale;
-  out.keeps_primary = false;
+  out.keeps_primary = out.fetches = false;
   for (std::size_t i = 0; i < state.count; ++i) {
     prepare_unit(state.unit[i], out.unit[i]);
+    out.fetches |= state.count > 1 && out.unit[i].fetch != nullptr;
     out.keeps_primary |= reads_primary(state.unit[i].environment);
   }
   out.fixed = fixed_units_function(out);

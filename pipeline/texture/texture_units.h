@@ -52,6 +52,9 @@ using LevelKernel = void (*)(const LevelRead& read, TexelBlock& out);
 /// Samples all covered lanes of a block.
 using SampleFunction = void (*)(const FragmentBlock& block, const PreparedUnit& unit, TexelBlock& out);
 
+/// Asks memory for the texels of all covered lanes: SampleFunction will read them.
+using FetchFunction = void (*)(const FragmentBlock& block, const PreparedUnit& unit);
+
 /// What an environment function reads beside the block's colours, which it replaces.
 struct EnvironmentInput {
   const PreparedUnit* unit = nullptr;
@@ -75,6 +78,7 @@ struct PreparedUnit {
   std::array<float, 4> border{};  ///< the border colour as this base format has it
   std::array<LevelKernel, 2> kernel{};  ///< nearest, linear
   SampleFunction sample = nullptr;
+  FetchFunction fetch = nullptr;  ///< null: not worth it
   EnvironmentFunction environment = nullptr;
 
   const PreparedLevel& level(std::int32_t face, std::int32_t index) const {
@@ -91,6 +95,7 @@ struct TextureUnits {
   FixedUnitsFunction fixed = nullptr;  ///< null: the units go one by one
   void (*pack)(FragmentBlock& block) = nullptr;  ///< colours behind the last unit to words
   float output_scale = 1.0f;
+  bool fetches = false;        ///< one of several units has something to fetch
   bool keeps_primary = false;  ///< a combiner reads the primary colour
   std::array<PreparedUnit, max_texture_units> unit;
 };
