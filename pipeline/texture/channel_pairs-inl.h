@@ -81,7 +81,12 @@ HWY_INLINE ChannelPairs lerp(const ChannelPairs& a, const ChannelPairs& b, IntVe
 HWY_INLINE IntVector pair_weight(FloatVector weight) {
   const IntTag d;
   const IntVector fraction = bits_after_adding(rounding_magic_positive, hn::Mul(weight, hn::Set(FloatTag(), 32768.0f)));
+#if HWY_TARGET == HWY_SCALAR
   const IntVector low = hn::Min(hn::And(fraction, hn::Set(d, 0xFFFF)), hn::Set(d, 0x7FFF));
+#else
+  const hn::Repartition<std::uint16_t, IntTag> d16;  // the upper half becomes 0
+  const IntVector low = hn::BitCast(d, hn::Min(hn::BitCast(d16, fraction), hn::BitCast(d16, hn::Set(d, 0x7FFF))));
+#endif
   return hn::Or(low, hn::ShiftLeft<16>(low));
 }
 

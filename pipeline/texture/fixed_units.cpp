@@ -24,6 +24,7 @@
 
 #include "pipeline/texture/channel_pairs-inl.h"
 #include "pipeline/texture/levels-inl.h"
+#include "pipeline/texture/row_texels-inl.h"
 #include "pipeline/texture/texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -51,20 +52,20 @@ struct FixedAxis {
       : size(static_cast<float>(level.size[k])), last(level.size[k] - 1),
         index_bits(wrap == WrapMode::repeat ? last : 0x3FFFFF), repeats(wrap == WrapMode::repeat) {}
 
-  HWY_INLINE FloatVector scaled_coordinate(FloatVector s) const {
-    return hn::Mul(repeats ? hn::Sub(s, hn::Floor(s)) : s, hn::Set(FloatTag(), size));
-  }
+  /// What of a coordinate counts: the same for all levels.
+  HWY_INLINE FloatVector wrapped(FloatVector s) const { return repeats ? hn::Sub(s, hn::Floor(s)) : s; }
   HWY_INLINE IntVector index_of(FloatVector floor) const {
     return hn::And(bits_after_adding(rounding_magic, floor), hn::Set(IntTag(), index_bits));
   }
+  /// Of a wrapped coordinate.
   HWY_INLINE IntVector nearest(FloatVector s) const {
-    return index_of(hn::Floor(kept_between(scaled_coordinate(s), 0.0f, size - 0.5f)));
+    return index_of(hn::Floor(kept_between(hn::Mul(s, hn::Set(FloatTag(), size)), 0.0f, size - 0.5f)));
   }
   /// The two texels and the second one's share, in both halves of a word.
   HWY_INLINE void linear(FloatVector s, IntVector& first, IntVector& second, IntVector& weight) const {
     const FloatTag d;
     const IntTag di;
-    FloatVector u = hn::Sub(scaled_coordinate(s), hn::Set(d, 0.5f));
+    FloatVector u = hn::Sub(hn::Mul(s, hn::Set(d, size)), hn::Set(d, 0.5f));
     if (!repeats) u = kept_between(u, 0.0f, size - 1.0f);
     const FloatVector floor = hn::Floor(u);
     weight = pair_weight(hn::Sub(u, floor));
@@ -74,10 +75,6 @@ struct FixedAxis {
   }
 };
 
-/// Texels at offset and offset + 1.
-struct TexelPair {
-  IntVector first, second;
-};
 HWY_INLINE TexelPair adjacent_texels(const std::byte* texels, IntVector offset) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
   const IntTag d;
@@ -93,16 +90,17 @@ HWY_INLINE TexelPair adjacent_texels(const std::byte* texels, IntVector offset) 
 #endif
 }
 
-/// A level as the kernel reads it.
+/// A level as the kernel reads it. Coordinates are wrapped.
 struct FixedLevel {
   const std::byte* texels;
   FixedAxis x, y;
-  std::int32_t row;
+  std::int32_t row, count;
 
   HWY_INLINE FixedLevel(const PreparedUnit& unit, std::int32_t index)
       : FixedLevel(unit.level(0, index), unit.state.sampler) {}
   HWY_INLINE FixedLevel(const PreparedLevel& level, const SamplerState& sampler)
-      : texels(level.texels), x(level, 0, sampler.wrap[0]), y(level, 1, sampler.wrap[1]), row(level.stride[1]) {}
+      : texels(level.texels), x(level, 0, sampler.wrap[0]), y(level, 1, sampler.wrap[1]), row(level.stride[1]),
+        count(level.stride[2]) {}
 
   HWY_INLINE IntVector nearest(FloatVector s, FloatVector t) const {
     return gather_word<4>(texels, hn::Add(x.nearest(s), hn::Mul(y.nearest(t), hn::Set(IntTag(), row))));
@@ -116,12 +114,16 @@ struct FixedLevel {
     y1 = hn::Mul(y1, hn::Set(d, row));
     TexelPair low, high;
     if (HWY_LIKELY(hn::AllFalse(d, hn::Eq(x0, hn::Set(d, x.last))))) {
+      if (reads_along_rows && texels_along_rows(texels, count, x0, y0, y1, low, high)) return mixed(low, high, weight_x, weight_y);
       low = adjacent_texels(texels, hn::Add(x0, y0));
       high = adjacent_texels(texels, hn::Add(x0, y1));
     } else {
       low = {gather_word<4>(texels, hn::Add(x0, y0)), gather_word<4>(texels, hn::Add(x1, y0))};
       high = {gather_word<4>(texels, hn::Add(x0, y1)), gather_word<4>(texels, hn::Add(x1, y1))};
     }
+    return mixed(low, high, weight_x, weight_y);
+  }
+  static HWY_INLINE ChannelPairs mixed(const TexelPair& low, const TexelPair& high, IntVector weight_x, IntVector weight_y) {
     return lerp(lerp(pairs_of(low.first), pairs_of(low.second), weight_x), lerp(pairs_of(high.first), pairs_of(high.second), weight_x),
                 weight_y);
   }
@@ -157,7 +159,9 @@ struct PairReader {
   template <TexelFilter filter>
   HWY_INLINE void read_one(std::int32_t index, std::uint64_t lanes, bool keeps_others) {
     const FixedLevel level(unit, index);
-    for_lanes(lanes, keeps_others, [&](FloatVector u, FloatVector v, std::size_t) HWY_ATTR { return level.read<filter>(u, v); });
+    for_lanes(lanes, keeps_others, [&](FloatVector u, FloatVector v, std::size_t) HWY_ATTR {
+      return level.read<filter>(level.x.wrapped(u), level.y.wrapped(v));
+    });
   }
   HWY_NOINLINE void read(std::int32_t index, TexelFilter filter, std::uint64_t lanes, bool keeps_others) {
     if (filter == TexelFilter::linear) read_one<TexelFilter::linear>(index, lanes, keeps_others);
@@ -166,7 +170,8 @@ struct PairReader {
   template <TexelFilter filter>
   HWY_INLINE void read_both(std::int32_t index, const float* share, std::uint64_t lanes, bool keeps_others) {
     const FixedLevel level(unit, index), next(unit, index + 1);
-    for_lanes(lanes, keeps_others, [&](FloatVector u, FloatVector v, std::size_t lane) HWY_ATTR {
+    for_lanes(lanes, keeps_others, [&](FloatVector s_lanes, FloatVector t_lanes, std::size_t lane) HWY_ATTR {
+      const FloatVector u = level.x.wrapped(s_lanes), v = level.y.wrapped(t_lanes);
       return lerp(level.read<filter>(u, v), next.read<filter>(u, v), pair_weight(hn::Load(FloatTag(), share + lane)));
     });
   }
@@ -236,7 +241,8 @@ void copy_texels(FragmentBlock& block, const PreparedUnit& unit) {
   const IntVector bits = hn::Set(IntTag(), word_map(unit.base_format).bits);
   const PairRange pairs = covered_pairs(block.coverage);
   for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(IntTag())) {
-    const IntVector texel = level.nearest(hn::Load(FloatTag(), at.coordinate[0] + lane), hn::Load(FloatTag(), at.coordinate[1] + lane));
+    const IntVector texel = level.nearest(level.x.wrapped(hn::Load(FloatTag(), at.coordinate[0] + lane)),
+                                          level.y.wrapped(hn::Load(FloatTag(), at.coordinate[1] + lane)));
     hn::Store(hn::Or(texel, bits), IntTag(), block.words.word.data() + lane);
   }
 }

@@ -103,8 +103,7 @@ class BlockLod {
       const double scale = 1.0 / center;
       change_ = {static_cast<float>((q.value - center) * scale), static_cast<float>(q.dx * scale), static_cast<float>(q.dy * scale)};
     }
-    alignas(32) const float q_values[8] = {static_cast<float>(lowest), static_cast<float>(highest), static_cast<float>(center), 1, 1, 1, 1, 1};
-    for (std::size_t i = 0; i < 8; i += hn::Lanes(d8)) hn::Store(log2(d8, hn::Load(d8, q_values + i)), d8, logs_ + 16 + i);
+    store_logs(static_cast<float>(lowest), static_cast<float>(highest), static_cast<float>(center), logs_ + 16);
 
     // Bounds of all lanes.
     const auto [least_x, most_x] = bounds(logs_);
@@ -131,6 +130,17 @@ class BlockLod {
   }
 
  private:
+  /// (By way of memory a vector would wait for its lanes to be stored one by one.)
+  static HWY_INLINE void store_logs(float a, float b, float c, float* out) {
+    const EightTag d8;
+#if HWY_TARGET == HWY_SCALAR
+    for (const float v : {a, b, c}) hn::Store(log2(d8, hn::Set(d8, v)), d8, out++);
+#else
+    const auto ab = hn::IfThenElse(hn::FirstN(d8, 1), hn::Set(d8, a), hn::Set(d8, b));
+    hn::Store(log2(d8, hn::IfThenElse(hn::FirstN(d8, 2), ab, hn::Set(d8, c))), d8, out);
+#endif
+  }
+
   /// log_of(value of the plane in a lane) is log2 Q.
   template <class Adjust, class LogOf>
   HWY_INLINE void store_lanes(const PairRange& pairs, float* out, const BlockPlane& plane, const Adjust& adjusted, const LogOf& log_of) const {
