@@ -89,5 +89,14 @@ TEST(CallTraces, ShowNoCallThatTheProgramDidNotMake) {
   glEndList();
 }
 
+TEST(CallTraces, ShowOneValueOfCommandsThatHaveOne) {
+  const TracedScreen traced("calls");
+  EXPECT_EQ(printed_by([] { glLightModelf(GL_LIGHT_MODEL_AMBIENT, 0.5f); }), "glLightModelf(GL_LIGHT_MODEL_AMBIENT, 0.5)\n");
+  EXPECT_EQ(printed_by([] { glMateriali(GL_FRONT, GL_SHININESS, 7); }), "glMateriali(GL_FRONT, GL_SHININESS, 7)\n");
+  EXPECT_EQ(printed_by([] { glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP); }),
+            "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP)\n");
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+}
+
 }  // namespace
 }  // namespace gouraud::api

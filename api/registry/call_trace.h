@@ -51,6 +51,12 @@ class CallTrace {
     }
     add_number(values[0]);
   }
+  /// Of a command that has one value, whatever the parameter takes.
+  template <class T>
+  void add_scalar(ParameterShape shape, T value) {
+    shape.values = 1;
+    add_parameter(shape, &value);
+  }
 
  private:
   static constexpr GLsizei most_values = 16;

@@ -139,8 +139,8 @@ def _trace_argument(command, param):
     group = f"EnumGroup::{param.group or 'none'}"
     family = families.parameter_family_of(command.name)
     if param.name in ("param", "params") and family:
-        address = param.name if param.is_pointer else "&" + param.name
-        return f"call.add_parameter({handlers_module.shape_function(family)}(pname), {address});"
+        add = "add_parameter" if param.is_pointer else "add_scalar"
+        return f"call.{add}({handlers_module.shape_function(family)}(pname), {param.name});"
     if param.is_pointer:
         readable = param.type.startswith("const") and param.element != "void" and param.type.count("*") == 1
         if readable and param.length and (param.length.isdigit() or param.length in command.param_names):

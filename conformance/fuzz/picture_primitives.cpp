@@ -21,6 +21,7 @@ class Primitives {
   explicit Primitives(Brush& brush) : b_(brush), gl_(brush.gl) {}
 
   void draw() {
+    gl_.EdgeFlag(GL_TRUE);
     choose();
     switch (b_.below(8)) {
       case 0: return by_list();
