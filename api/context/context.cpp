@@ -19,17 +19,15 @@ constinit thread_local Context* current_context_pointer = nullptr;
 
 namespace {
 
-// True if the comma-separated list in GOURAUD_TRACE names `topic`.
-bool traces(std::string_view topic) {
+TraceTopics traced_topics() {
   const char* const list = std::getenv("GOURAUD_TRACE");
-  std::string_view rest = list != nullptr ? list : "";
-  while (!rest.empty()) {
-    const std::size_t comma = rest.find(',');
-    if (rest.substr(0, comma) == topic) return true;
-    rest = comma == std::string_view::npos ? std::string_view() : rest.substr(comma + 1);
-  }
-  return false;
+  std::string problem;
+  const TraceTopics topics = parse_trace_topics(list != nullptr ? list : "", problem);
+  if (!problem.empty()) std::fprintf(stderr, "gouraud: GOURAUD_TRACE: %s\n", problem.c_str());
+  return topics;
 }
+
+void tell(const std::string& text) { std::fprintf(stderr, "%s%s", text.starts_with(' ') ? "" : "gouraud: ", text.c_str()); }
 
 bool is_set(const char* variable) {
   const char* const value = std::getenv(variable);
@@ -99,9 +97,7 @@ pipeline::DepthFormat depth_format(const ContextConfig& config) {
 
 Context::Context(const ContextConfig& config, Context* share_with)
     : display_lists(share_with != nullptr ? share_with->display_lists : std::make_shared<DisplayLists>()),
-      tracing_calls_(traces("calls")),
-      tracing_errors_(traces("errors")),
-      tracing_plans_(traces("plan")),
+      traces_(traced_topics()),
       aborting_on_error_(is_set("GOURAUD_ABORT_ON_ERROR")),
       methods_(default_methods()),
       config_(config),
@@ -112,6 +108,9 @@ Context::Context(const ContextConfig& config, Context* share_with)
       renderer_(pipeline::default_thread_count()) {
   compiling_changed();
   renderer_.set_antialiasing(methods_.antialiasing);
+  if (traces_.vertex >= 0 || traces_.pixel_x >= 0) {
+    renderer_.set_watch({traces_.vertex, traces_.pixel_x, traces_.pixel_y, tell});
+  }
   for (std::size_t i = 0; i < texture_target_count; ++i) {
     default_textures_[i] = std::make_shared<TextureObject>(static_cast<TextureTarget>(i));
   }
@@ -353,10 +352,12 @@ const pipeline::PixelDraw& Context::pixel_draw() {
   return pixel_draw_;
 }
 
-void Context::trace_plan() const {
+void Context::trace_plan() {
   const pipeline::VertexBatch& batch = immediate.batch;
   const std::string text = pipeline::describe(plan_, draw_state_, target_info().format, kinds_of(draw_state_, batch));
-  std::fprintf(stderr, "gouraud: draw of %d vertices in %zu primitives\n%s", batch.count, batch.primitives.size(), text.c_str());
+  const bool is_new = std::exchange(traced_plan_, text) != text;
+  std::fprintf(stderr, "gouraud: draw of %d vertices in %zu primitives%s\n%s", batch.count, batch.primitives.size(),
+               is_new ? "" : ", by the same plan", is_new ? text.c_str() : "");
 }
 
 }  // namespace api

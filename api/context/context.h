@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include <GL/gl.h>
 
@@ -13,6 +14,7 @@
 #include "api/context/immediate.h"
 #include "api/context/object_names.h"
 #include "api/context/texture_proxies.h"
+#include "api/context/trace_topics.h"
 #include "api/context/query_names.h"
 #include "api/snapshot/snapshot.h"
 #include "api/state/attribute_stacks.h"
@@ -70,11 +72,11 @@ class Context {
 
   /// True while calls must be recorded or printed before (or instead of) being executed.
   bool intercepting() const { return intercepting_; }
-  bool tracing_calls() const { return tracing_calls_; }
+  bool tracing_calls() const { return traces_.calls; }
   /// True while a display list is open: recordable commands go to the entry points' append_record.
   bool compiling() const { return list_compiler.open(); }
   /// NewList and EndList have opened or closed list_compiler.
-  void compiling_changed() { intercepting_ = tracing_calls_ || tells_errors() || compiling(); }
+  void compiling_changed() { intercepting_ = traces_.calls || tells_errors() || compiling(); }
 
   /// The command that the program has called, while it is carried out; known if calls are looked at first, else null.
   const char* programs_command() const { return programs_command_; }
@@ -203,12 +205,14 @@ class Context {
   void refresh_matrices();
   bool go_on_under_next_matrices();
   void take_draw_state(std::uint32_t changed, const pipeline::TargetFormat& format, bool other_format);
-  void trace_plan() const;
+  void trace_plan();
 
-  bool tells_errors() const { return tracing_errors_ || aborting_on_error_; }
+  bool tells_errors() const { return traces_.errors || aborting_on_error_; }
 
   bool intercepting_ = false;
-  bool tracing_calls_ = false, tracing_errors_ = false, tracing_plans_ = false, aborting_on_error_ = false;
+  TraceTopics traces_;
+  std::string traced_plan_;  ///< the last that was printed
+  bool aborting_on_error_ = false;
   bool had_window_ = false;
   std::uint32_t dirty_ = dirty_all;
   GLenum error_ = GL_NO_ERROR;

@@ -150,7 +150,7 @@ void Context::draw_pending() {
   VertexBatch& batch = immediate.batch;
   if (batch.count > 0) {
     if (!batch.material_runs.empty() && batch.material_runs.back().first == batch.count) batch.material_runs.pop_back();
-    if (tracing_plans_) trace_plan();
+    if (traces_.plans) trace_plan();
     try {
       renderer_.draw(draw_state_, plan_, batch);
     } catch (...) {  // no memory: these vertices are lost, and the rest of an open primitive with them

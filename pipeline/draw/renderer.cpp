@@ -89,10 +89,20 @@ SetupState make_setup_state(const DrawState& state, const Plan& plan, const Fram
 
 }  // namespace
 
+/// The plan's, or those of somebody who looks on.
+void Renderer::Implementation::set_passes(const DrawState& state, const Plan& plan, const FragmentPasses& passes, RasterBinding& binding) {
+  binding.passes = passes;
+  if (!watch.watches_pixel()) return;
+  const TargetFormat format{bins.target()->color_format, bins.target()->depth_format, plan.methods};
+  binding.watch = new (bins.allocate(sizeof(PixelWatch))) PixelWatch(make_pixel_watch(watch, watched_draws, passes, state, plan, format));
+  binding.passes = watched(passes);
+}
+
 /// What a draw needs of the stages after the vertices.
 void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings,
                                        const PlacedImage* image) {
-  RasterBinding binding{state.raster, plan.fragment, varyings, plan.colors};
+  RasterBinding binding{state.raster, {}, varyings, plan.colors};
+  set_passes(state, plan, plan.fragment, binding);
   binding.image = image;
   if (plan.textured) {
     const TileBins::InternedTextures& textures = bins.intern(state.texturing, color_scale(bins.target()->color_format));
@@ -124,7 +134,7 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   plain_lines = are_plain_lines(*setup) && !plan.methods.walks_lines();
   unfilled = mode_front != PolygonMode::fill || mode_back != PolygonMode::fill;
   if (!unfilled && plan.coverage && !state.polygons.smooth && image == nullptr) {
-    binding.passes = plan.filled;
+    set_passes(state, plan, plan.filled, binding);
     filled_setup = bins.intern(state_of_setup, binding);
   }
   clip_attributes = {plan.eye_positions, plan.colors, setup->two_sided, plan.secondary_color != SecondaryColor::none,
@@ -154,6 +164,16 @@ void Renderer::Implementation::run_vertex_stages(const DrawState& state, const P
   viewport = state.viewport;
   methods = plan.reports ? Methods{} : plan.methods;
   project(state);
+}
+
+void Renderer::Implementation::tell_of_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
+  const std::int64_t index = watch.vertex - watched_vertices;
+  if (watch.vertex >= 0 && index >= 0 && index < batch.count) {
+    watch.tell("vertex " + std::to_string(watch.vertex) + ": draw " + std::to_string(watched_draws) + "\n" +
+               describe_vertex(state, plan, batch, vertices, static_cast<std::int32_t>(index)));
+  }
+  watched_vertices += batch.count;
+  ++watched_draws;
 }
 
 /// Clip space to window space, and what is outside.
@@ -276,6 +296,8 @@ void Renderer::set_observer(DrawObserver* observer) {
   }
 }
 
+void Renderer::set_watch(const Watch& watch) { implementation_->watch = watch; }
+
 void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch& batch) {
   Implementation& self = *implementation_;
   if (target() == nullptr) return;
@@ -297,6 +319,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
 
   // Vertices, then primitives in order.
   self.run_vertex_stages(state, plan, varyings, batch);
+  if (self.watch.tell != nullptr) self.tell_of_vertex(state, plan, batch);
   self.batch_count = batch.count;
   self.bins.target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
   if (self.bins.full() && self.smooth_parts.empty()) self.run_bins();
@@ -329,6 +352,7 @@ ProcessedVertex Renderer::process_vertex(const DrawState& state, const Plan& pla
 void Renderer::clear(const ClearState& state) {
   if (target() == nullptr) return;
   if (implementation_->observer != nullptr) implementation_->observer->clear(state);
+  if (state.color) implementation_->watched_vertices = implementation_->watched_draws = 0;
   implementation_->dirty = true;
   if (state.stencil && (state.clear_stencil & state.stencil_write_mask) != 0) note_stencil(*implementation_->bins.target());
   implementation_->give_gathered();

@@ -13,6 +13,7 @@
 #include "pipeline/draw/pixel_draws.h"
 #include "pipeline/draw/plan.h"
 #include "pipeline/draw/primitive_report.h"
+#include "pipeline/draw/watch.h"
 #include "pipeline/framebuffer/framebuffer.h"
 #include "pipeline/geometry/vertex_batch.h"
 
@@ -79,6 +80,8 @@ class Renderer {
   void set_receiver(PrimitiveReceiver* receiver);
   /// Null removes it. Not owned.
   void set_observer(DrawObserver* observer);
+  /// Who watches a vertex or a pixel from now on.
+  void set_watch(const Watch& watch);
 
  private:
   struct Implementation;

@@ -32,6 +32,8 @@ struct Renderer::Implementation {
 
   void prepare(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const PlacedImage* image = nullptr);
   void project(const DrawState& state);
+  void tell_of_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch);
+  void set_passes(const DrawState& state, const Plan& plan, const FragmentPasses& passes, RasterBinding& binding);
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   QuadSplit split_of(const DrawState& state, const VertexBatch& batch, std::size_t i);
   PrimitiveRange assemble_ranges(const DrawState& state, const VertexBatch& batch, std::size_t& i);
@@ -91,6 +93,8 @@ struct Renderer::Implementation {
   std::shared_ptr<SampleCounter> samples;
   std::size_t kept_image_bytes = 0;
   DrawObserver* observer = nullptr;
+  Watch watch;
+  std::int64_t watched_vertices = 0, watched_draws = 0;  ///< since colours were cleared
   PrimitiveReceiver* receiver = nullptr;
   bool dirty = false;
 

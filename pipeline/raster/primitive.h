@@ -19,6 +19,7 @@ namespace gouraud::pipeline {
 struct TextureUnits;  // pipeline/texture/texture_units.h
 class SampleCounter;  // pipeline/draw/sample_counter.h
 struct MethodState;  // pipeline/draw/method_state.h
+struct PixelWatch;  // pipeline/draw/watch.h
 struct PlacedImage;  // pipeline/raster/pixel_image.h
 
 /// What the bins keep of a draw: shared by all primitives of equal draws.
@@ -31,6 +32,7 @@ struct RasterBinding {
   const TextureUnits* texture_units = nullptr;  ///< made of it
   SampleCounter* samples = nullptr;           ///< kept like textures; of the occlusion query that was active; null: none
   const MethodState* method = nullptr;        ///< interned too; what passes of methods need; null: there are none
+  const PixelWatch* watch = nullptr;          ///< somebody looks on: passes tell what they do; null: nobody
   const PlacedImage* image = nullptr;         ///< of a pixel rectangle: gives colour or depth; null: none
   bool operator==(const RasterBinding&) const = default;
 };
