@@ -129,6 +129,12 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
   return plan.textured ? SecondaryColor::interpolated : SecondaryColor::summed_at_vertices;
 }
 
+bool is_all_between_shading_and_write_fog(const DrawState& state, TargetFormat target, const Plan& plan) {
+  const bool others = plan.textured || plan.phong || plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test ||
+                      target.methods.keeps_colors();
+  return plan.fog && !others && target.color == ColorFormat::rgba8 && state.raster.color_write_mask == 0xF;
+}
+
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
 FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, const Plan& plan) {
   FragmentPasses passes;
@@ -136,13 +142,14 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured && !plan.phong;
   const LanesWanted wanted = plan.phong ? LanesWanted::all : LanesWanted::covered;
+  const bool fog_at_write = is_all_between_shading_and_write_fog(state, target, plan);
   const auto shade = [&] {
-    if (plan.colors && !plan.phong) passes.add(color_interpolation_pass(target.methods.colors));
+    if (plan.colors && !plan.phong && !fog_at_write) passes.add(color_interpolation_pass(target.methods.colors));
     if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors, wanted));
     if (plan.phong) passes.add(phong_shading_pass());
     if (plan.textured) passes.add(packed ? texture_words_pass() : texture_pass());
     if (plan.secondary_color == SecondaryColor::interpolated) passes.add(color_sum_pass(target.color));
-    if (plan.fog) passes.add(fog_pass(state.raster.fog.mode, target.color));
+    if (plan.fog && !fog_at_write) passes.add(fog_pass(state.raster.fog.mode, target.color));
     if (plan.coverage) passes.add(coverage_pass());
     if (plan.sample_alpha) passes.add(sample_alpha_pass(target.color));
   };
@@ -169,6 +176,10 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings ||
                             target.methods.keeps_colors();  // between interpolation and write
   if (keeps_colors && !shades_first) shade();
+  if (fog_at_write) {
+    passes.add(fogged_color_write_pass(state.raster.fog.mode));
+    return passes;
+  }
   passes.add(keeps_colors ? blend_pass(state.raster, target.color, packed)
                                  : color_write_pass(target.color, state.raster.color_write_mask));
   return passes;

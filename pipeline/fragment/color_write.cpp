@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/fog-inl.h"
 #include "pipeline/fragment/image_colors-inl.h"
 #include "pipeline/fragment/pixel_words-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
@@ -59,6 +60,19 @@ struct Unorm8Sink {
   }
   HWY_INLINE void write_words(IntVector words, std::uint64_t covered, std::size_t lane) const { writer.put(words, covered, lane); }
   HWY_INLINE std::int32_t* whole_block() const requires all_channels { return writer.pixels(); }
+};
+
+/// The same behind fog, whose coordinate the block has.
+template <class Mode>
+struct FoggedSink {
+  Unorm8Writer<true> writer;
+  FogOverBlock<Mode> fog;
+  HWY_INLINE FoggedSink(FragmentBlock& block, const TileTarget& target) : writer(target, block.first_pixel, 0xF), fog(block, 255.0f) {}
+  HWY_INLINE void write(FloatVector r, FloatVector g, FloatVector b, FloatVector a, std::uint64_t covered,
+                        std::size_t lane) const {
+    fog.blend(lane, r, g, b);
+    writer.put(pack_unorm8(r, g, b, a), covered, lane);
+  }
 };
 
 /// Wider targets: four words a pixel, written lane by lane.
@@ -232,6 +246,16 @@ FragmentPass select(ColorFormat format, std::uint8_t write_mask) {
   return write_mask == 0xF ? shade<Unorm8Sink<true>> : shade<Unorm8Sink<false>>;
 }
 
+FragmentPass select_fogged(FogMode mode) {
+  switch (mode) {
+    case FogMode::linear: return shade<FoggedSink<LinearFog>>;
+    case FogMode::exp2: return shade<FoggedSink<Exp2Fog>>;
+    case FogMode::exp:
+    case FogMode::none: break;
+  }
+  return shade<FoggedSink<ExpFog>>;
+}
+
 FragmentPass select_interpolation() { return shade<BlockSink>; }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -245,6 +269,8 @@ FragmentPass color_interpolation_pass() { return GOURAUD_SIMD_PICK(select_interp
 FragmentPass color_write_pass(ColorFormat format, std::uint8_t write_mask) {
   return GOURAUD_SIMD_PICK(select)(format, write_mask);
 }
+
+FragmentPass fogged_color_write_pass(FogMode mode) { return GOURAUD_SIMD_PICK(select_fogged)(mode); }
 
 float color_scale(ColorFormat format) {
   switch (format) {
