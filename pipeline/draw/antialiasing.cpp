@@ -5,14 +5,10 @@
 #include <cstring>
 #include <vector>
 
-#include "pipeline/draw/limits.h"
+#include "pipeline/raster/sample_positions.h"
 
 namespace gouraud::pipeline {
 namespace {
-
-/// Each in a row and a column of its own, where Mesa has them in framebuffer objects.
-constexpr std::array<std::array<float, 2>, max_samples> rotated_grid{
-    {{0.375f, 0.125f}, {0.875f, 0.375f}, {0.125f, 0.625f}, {0.625f, 0.875f}}};
 
 /// Samples along one side of a pixel.
 int grid_of(AntialiasingMethod method) {
@@ -67,11 +63,11 @@ void resolve_colors(const Framebuffer& sampled, const Framebuffer& to) {
 
 int samples_of(AntialiasingMethod method) {
   const int grid = grid_of(method);
-  return method == AntialiasingMethod::multisample4 ? static_cast<int>(rotated_grid.size()) : grid * grid;
+  return method == AntialiasingMethod::multisample4 ? static_cast<int>(sample_positions.size()) : grid * grid;
 }
 
 std::array<float, 2> sample_position(AntialiasingMethod method, std::size_t sample) {
-  if (method == AntialiasingMethod::multisample4) return rotated_grid[sample];
+  if (method == AntialiasingMethod::multisample4) return sample_positions[sample];
   const auto grid = static_cast<std::size_t>(grid_of(method));
   const auto place = [grid](std::size_t index) { return (static_cast<float>(index) + 0.5f) / static_cast<float>(grid); };
   return {place(sample % grid), place(sample / grid)};

@@ -151,6 +151,7 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
     if (plan.secondary_color == SecondaryColor::interpolated) passes.add(color_sum_pass(target.color));
     if (plan.fog && !fog_at_write) passes.add(fog_pass(state.raster.fog.mode, target.color));
     if (plan.coverage) passes.add(coverage_pass());
+    passes.shaded = passes.count;
     if (plan.sample_alpha) passes.add(sample_alpha_pass(target.color));
   };
   if (plan.polygon_stipple) passes.add(polygon_stipple_pass());
@@ -167,14 +168,15 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
     passes.add(depth_test);
   }
   if (plan.counts_samples) passes.add(sample_count_pass());
-  if (!shades_first) passes.early = passes.count;
+  if (!shades_first) passes.early = passes.shaded = passes.count;
   const bool tests_depth_only = depth_test != nullptr && passes.early == 1 && passes.pass[0] == depth_test;
   if (tests_depth_only && !target.methods.warps_depth() && !state.polygons.offset_fill) {
     passes.small_triangles = small_triangle_test(state.raster.depth.func, target.depth);
   }
   if (!plan.writes_color) return passes;
   const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings ||
-                            target.methods.keeps_colors();  // between interpolation and write
+                            target.methods.keeps_colors() ||   // between interpolation and write
+                            state.multisample.enabled;         // one interpolation, several writes
   if (keeps_colors && !shades_first) shade();
   if (fog_at_write) {
     passes.add(fogged_color_write_pass(state.raster.fog.mode));

@@ -37,9 +37,11 @@ struct Renderer::Implementation {
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   QuadSplit split_of(const DrawState& state, const VertexBatch& batch, std::size_t i);
   PrimitiveRange assemble_ranges(const DrawState& state, const VertexBatch& batch, std::size_t& i);
-  void draw_primitives(const DrawState& state, const VertexBatch& batch);
+  void draw_primitives(const DrawState& state, const VertexBatch& batch, std::size_t begin, std::size_t end);
   void select_material(const VertexBatch& batch, const PrimitiveRange& range);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
+  void draw_each_sample(const DrawState& state, const VertexBatch& batch, std::size_t begin, std::size_t end);
+  void place(const DrawState& state, float shift_x, float shift_y);
   void draw_range_of_triangles(const PrimitiveRange& range);
   SharedVertices share_vertices(const PrimitiveRange& range);
   void draw_triangle(const AssembledTriangle& triangle);
@@ -102,6 +104,7 @@ struct Renderer::Implementation {
   const SetupState *setup = nullptr, *filled_setup = nullptr, *outlined_setup = nullptr;
   ViewportState viewport;
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
+  bool fills_samples = false;  ///< polygons go into all samples at once
   bool unfilled = false;
   bool plain_points = false, plain_lines = false;
   Methods methods;

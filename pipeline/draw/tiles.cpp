@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -13,6 +14,7 @@
 #include "pipeline/framebuffer/clear.h"
 #include "pipeline/raster/bitmaps.h"
 #include "pipeline/raster/lines.h"
+#include "pipeline/raster/sample_positions.h"
 #include "pipeline/raster/smooth.h"
 
 namespace gouraud::pipeline {
@@ -46,6 +48,13 @@ constexpr std::size_t largest_record =
 TileTarget tile_target(const Framebuffer& target, std::int32_t tile_x, std::int32_t tile_y, std::int32_t sample) {
   const auto pixels = [=](const TiledBuffer& plane) { return plane.empty() ? nullptr : plane.tile(tile_x, tile_y); };
   return {pixels(target.color), pixels(target.depth), pixels(target.stencil), sample};
+}
+
+/// The edge at the sample that lies farthest in, and not `fine` any more (EdgeFunction).
+EdgeFunction moved_in(EdgeFunction edge) {
+  const std::int64_t reach = sample_reach * (std::abs(std::int64_t{edge.a}) + std::abs(std::int64_t{edge.b}));
+  edge.c = (edge.c + reach) >> subpixel_bits;
+  return edge;
 }
 
 /// True if the edge has the whole tile on its outer side.
@@ -89,10 +98,10 @@ TileBins::TileBins(int thread_count)
 
 void TileBins::set_target(Framebuffer* target) {
   target_ = target;
-  first_bin_ = 0;
+  sample_ = first_bin_ = 0;
   samples_.clear();
   if (target == nullptr) return;
-  const auto bins = static_cast<std::size_t>(target->tile_count() * target->samples);
+  const auto bins = static_cast<std::size_t>(target->tile_count() * (samples_meet() ? 1 : target->samples));
   if (bins_.size() < bins) bins_.resize(bins);
   if (target->samples == 1) return;
   for (int sample = 0; sample < target->samples; ++sample) samples_.push_back(target->sample(sample));
@@ -129,7 +138,7 @@ void TileBins::add_to_run(std::int32_t tile, EntryKind kind, const SetupState& s
   };
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(first_bin_ + tile)];
   std::uint8_t capacity = 1;
-  if (!bin.empty() && bin.back().kind == kind && bin.back().state == &state && bin.back().bytes == bytes) {
+  if (!bin.empty() && bin.back().kind == kind && bin.back().state == &state && bin.back().bytes == bytes && bin.back().sample == sample_) {
     Entry& run = bin.back();
     if (run.count < run.capacity) {
       copy_to(static_cast<std::byte*>(const_cast<void*>(run.what)) + static_cast<std::size_t>(run.count) * bytes);
@@ -171,7 +180,9 @@ void TileBins::add_polygon(const PrimitiveRecord& record) {
   const Entry entry{.what = &record, .kind = EntryKind::polygon};
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
-      const auto outside = [&](const EdgeFunction& edge) { return tile_is_outside(edge, x * tile_size, y * tile_size); };
+      const auto outside = [&](const EdgeFunction& edge) {
+        return tile_is_outside(sample_ == all_samples ? moved_in(edge) : edge, x * tile_size, y * tile_size);
+      };
       if (std::none_of(record.edges.begin(), record.edges.end(), outside)) add(y * target_->tiles_x + x, entry);
     }
   }
@@ -195,7 +206,7 @@ void TileBins::add_line(const WaitingLine& line) {
 void TileBins::add_point(const SetupState& state, const WaitingPoint& point) {
   const std::int32_t tile = point.y / tile_size * target_->tiles_x + point.x / tile_size;
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(first_bin_ + tile)];
-  if (!bin.empty() && bin.back().kind == EntryKind::points) {
+  if (!bin.empty() && bin.back().kind == EntryKind::points && bin.back().sample == sample_) {
     PointChunk& chunk = *static_cast<PointChunk*>(const_cast<void*>(bin.back().what));
     if (chunk.state == &state && chunk.count < PointChunk::capacity) {
       chunk.point[static_cast<std::size_t>(chunk.count++)] = point;
@@ -274,7 +285,7 @@ void TileBins::add_bitmap(const PrimitiveRecord& record, const Bitmap& bitmap) {
 
 void TileBins::add_to_tiles(const PixelRect& box, const Entry& entry) {
   if (box.empty()) return;
-  for (int sample = 0; sample < target_->samples; ++sample) {
+  for (int sample = 0; sample < (samples_meet() ? 1 : target_->samples); ++sample) {
     const std::int32_t first = sample * target_->tile_count();
     for (std::int32_t y = box.y0 / tile_size; y <= (box.y1 - 1) / tile_size; ++y) {
       for (std::int32_t x = box.x0 / tile_size; x <= (box.x1 - 1) / tile_size; ++x) {
@@ -373,28 +384,62 @@ void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, c
   group.count = 0;
 }
 
-std::size_t TileBins::run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
-                                    GroupRasterizer rasterize) {
+/// The same, with the early passes and the late ones for every sample.
+void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const SampleTargets& targets, SampleBlockFinder find) {
+  if (group.count == 0) return;
+  set_up_depths(group);
+  std::array<SampleBlock, group_capacity * most_sample_blocks> seen;
+  std::size_t count = 0;
+  std::uint32_t seen_triangles = 0;
+  for (std::size_t i = 0; i < group.count; ++i) {
+    SampleBlock* const found = seen.data() + count;
+    const std::size_t end = count + find(group.record(i), x, y, found);
+    for (std::size_t k = count, last = end; k < last; ++k) {
+      if (!run_early_passes(group.record(i), seen[k], targets)) continue;
+      seen[count] = seen[k];
+      seen[count++].primitive = static_cast<std::int32_t>(i);
+      seen_triangles |= 1u << i;
+    }
+  }
+  if (seen_triangles != 0) set_up_colors(group, seen_triangles);
+  for (const SampleBlock& block : std::span(seen).first(count)) {
+    run_late_passes(group.record(static_cast<std::size_t>(block.primitive)), block, targets);
+  }
+  group.count = 0;
+}
+
+void TileBins::run_polygon(const PrimitiveRecord& polygon, std::int32_t x, std::int32_t y, const SampleTargets& pixels,
+                           SampleBlockFinder find) {
+  const SampleTargets targets = place_samples(pixels, *polygon.binding);
+  std::array<SampleBlock, most_sample_blocks> found;
+  for (SampleBlock& block : std::span(found).first(find(polygon, x, y, found.data()))) {
+    if (run_early_passes(polygon, block, targets)) run_late_passes(polygon, block, targets);
+  }
+}
+
+template <class RunGroup>
+std::size_t TileBins::run_triangles(std::span<const Entry> entries, const RunGroup& run_group) {
   const SetupState& state = *entries[0].state;
   alignas(64) std::array<std::byte, group_capacity * largest_record> records;
   TriangleGroup group(state, records.data());
   const bool has_road = state.binding->passes.small_triangles != nullptr;
   std::size_t done = 0, ahead = 0;
-  for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state; ++done) {
+  for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state &&
+         entries[done].sample == entries[0].sample; ++done) {
     if (ahead >= static_cast<std::size_t>(prefetch_near_distance)) break;  // let what comes next be fetched
     const Entry& run = entries[done];
     const auto* first = static_cast<const std::byte*>(run.what);
     for (std::size_t i = 0; i < static_cast<std::size_t>(run.count); ++i) {
       const auto& triangle = *reinterpret_cast<const WaitingTriangle*>(first + i * run.bytes);
       const bool small = has_road && triangle.small();
-      if (small != group.all_small) run_group(group, x, y, pixels, rasterize);
+      if (small != group.all_small) run_group(group);
       group.all_small = small;
       group.add(triangle);
-      if (group.count == group_capacity) run_group(group, x, y, pixels, rasterize);
+      if (group.count == group_capacity) run_group(group);
     }
     ahead += static_cast<std::size_t>(run.count);
   }
-  run_group(group, x, y, pixels, rasterize);
+  run_group(group);
   return done;
 }
 
@@ -413,25 +458,52 @@ void TileBins::run_lines(const Entry& entry, std::int32_t x, std::int32_t y, con
   }
 }
 
+void TileBins::run_blocks(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels) {
+  FragmentBlock block;
+  block.primitive = static_cast<const PrimitiveRecord*>(entry.what);
+  for (const BlockMask& mask : std::span(entry.blocks, static_cast<std::size_t>(entry.count))) {
+    block.coverage = mask.coverage;
+    block.x = x + mask.block % blocks_per_tile_row * block_size;
+    block.y = y + mask.block / blocks_per_tile_row * block_size;
+    block.first_pixel = mask.block * pixels_per_block;
+    run_passes(block.primitive->binding->passes, block, pixels);
+  }
+}
+
 void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(bin_index)];
   const std::int32_t tiles = target_->tile_count(), tile = bin_index % tiles;
-  const Framebuffer& target = samples_.empty() ? *target_ : samples_[static_cast<std::size_t>(bin_index / tiles)];
-  const std::int32_t tile_x = tile % target.tiles_x, tile_y = tile / target.tiles_x;
+  const std::int32_t first_sample = bin_index / tiles, samples = samples_meet() ? target_->samples : 1;
+  const auto target_of = [&](std::int32_t k) -> const Framebuffer& {
+    return samples_.empty() ? *target_ : samples_[static_cast<std::size_t>(first_sample + k)];
+  };
+  const std::int32_t tile_x = tile % target_->tiles_x, tile_y = tile / target_->tiles_x;
   const std::int32_t x = tile_x * tile_size, y = tile_y * tile_size;
   LookAhead look_ahead(bin);
-  TileTarget pixels;
-  bool touched = false;  // `pixels` is valid: no clear since, no accumulation
+  SampleTargets all_pixels;  // of the bin's samples
+  bool touched = false;      // they are valid: no clear since, no accumulation
   for (std::size_t i = 0; i < bin.size();) {
     const Entry& entry = bin[i];
     std::size_t done = 1;
     const bool draws = entry.kind != EntryKind::clear && entry.kind != EntryKind::accum;
-    if (draws && !touched) pixels = tile_target(target, tile_x, tile_y, bin_index / tiles);
+    for (std::int32_t k = 0; draws && !touched && k < samples; ++k) {
+      all_pixels[static_cast<std::size_t>(k)] = tile_target(target_of(k), tile_x, tile_y, first_sample + k);
+    }
     touched = draws;
+    const bool into_all = entry.sample == all_samples;
+    const TileTarget& pixels = all_pixels[draws && !into_all ? static_cast<std::size_t>(entry.sample - first_sample) : 0];
     switch (entry.kind) {
-      case EntryKind::accum: accumulate_tile(target, tile, *static_cast<const AccumState*>(entry.what)); break;
-      case EntryKind::clear: clear_tile(target, tile, *static_cast<const ClearState*>(entry.what)); break;
-      case EntryKind::polygon: rasterize.polygon(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels); break;
+      case EntryKind::accum:
+        for (std::int32_t k = 0; k < samples; ++k) accumulate_tile(target_of(k), tile, *static_cast<const AccumState*>(entry.what));
+        break;
+      case EntryKind::clear:
+        for (std::int32_t k = 0; k < samples; ++k) clear_tile(target_of(k), tile, *static_cast<const ClearState*>(entry.what));
+        break;
+      case EntryKind::polygon: {
+        const auto& polygon = *static_cast<const PrimitiveRecord*>(entry.what);
+        into_all ? run_polygon(polygon, x, y, all_pixels, rasterize.sample_blocks) : rasterize.polygon(polygon, x, y, pixels);
+        break;
+      }
       case EntryKind::lines: run_lines(entry, x, y, pixels, rasterize.polygon); break;
       case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
       case EntryKind::smooth: {
@@ -440,19 +512,17 @@ void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
         break;
       }
       case EntryKind::smooth_polygon: rasterize_smooth(*static_cast<const SmoothPolygon*>(entry.what), x, y, pixels); break;
-      case EntryKind::triangles: done = run_triangles(std::span(bin).subspan(i), x, y, pixels, rasterize.group); break;
-      case EntryKind::blocks: {
-        FragmentBlock block;
-        block.primitive = static_cast<const PrimitiveRecord*>(entry.what);
-        for (const BlockMask& mask : std::span(entry.blocks, static_cast<std::size_t>(entry.count))) {
-          block.coverage = mask.coverage;
-          block.x = x + mask.block % blocks_per_tile_row * block_size;
-          block.y = y + mask.block / blocks_per_tile_row * block_size;
-          block.first_pixel = mask.block * pixels_per_block;
-          run_passes(block.primitive->binding->passes, block, pixels);
+      case EntryKind::triangles: {
+        const std::span entries = std::span(bin).subspan(i);
+        if (into_all) {
+          const SampleTargets targets = place_samples(all_pixels, *entry.state->binding);
+          done = run_triangles(entries, [&](TriangleGroup& group) { run_group(group, x, y, targets, rasterize.sample_blocks); });
+        } else {
+          done = run_triangles(entries, [&](TriangleGroup& group) { run_group(group, x, y, pixels, rasterize.group); });
         }
         break;
       }
+      case EntryKind::blocks: run_blocks(entry, x, y, pixels); break;
     }
     for (const std::size_t end = i + done; i < end; ++i) look_ahead.pass(i);
   }
@@ -461,7 +531,7 @@ void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
 
 void TileBins::run() {
   if (touched_.empty()) return;
-  const Rasterizers rasterize{polygon_rasterizer(), group_rasterizer()};
+  const Rasterizers rasterize{polygon_rasterizer(), group_rasterizer(), sample_block_finder()};
   workers_.run(static_cast<std::int32_t>(touched_.size()), entry_count_ >= entries_worth_waking,
                [&](std::int32_t i) { run_bin(touched_[static_cast<std::size_t>(i)], rasterize); });
   touched_.clear();

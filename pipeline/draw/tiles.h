@@ -14,6 +14,7 @@
 #include "pipeline/raster/pixel_image.h"
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/primitive.h"
+#include "pipeline/raster/sample_blocks.h"
 #include "pipeline/raster/setup.h"
 #include "pipeline/raster/triangles.h"
 #include "pipeline/texture/texture_units.h"
@@ -66,9 +67,14 @@ class TileBins {
   void* allocate(std::size_t bytes) { return arena_.allocate(bytes); }
   void take_back(std::size_t bytes) { arena_.take_back(bytes); }
 
-  /// Which sample of each pixel the next primitives are for. Clears are for all.
-  void select_sample(std::int32_t sample) { first_bin_ = sample * target_->tile_count(); }
-  std::int32_t selected_sample() const { return first_bin_ / target_->tile_count(); }
+  /// Which sample of each pixel the next primitives are for. Clears are for all. Triangles may go into all at once, if their
+  /// binding has a sample_mask.
+  static constexpr std::int32_t all_samples = -1;
+  void select_sample(std::int32_t sample) {
+    sample_ = sample;
+    first_bin_ = samples_meet() ? 0 : sample * target_->tile_count();
+  }
+  std::int32_t selected_sample() const { return sample_; }
   /// `count` triangles as select_triangles() wrote them, waiting_size bytes each: they are copied, and what they share
   /// has to be in memory of allocate().
   void add_triangles(const SetupState& state, const std::byte* waiting, std::size_t count, bool share);
@@ -106,6 +112,7 @@ class TileBins {
     EntryKind kind = EntryKind::polygon;
     std::uint8_t capacity = 1;   ///< of a run
     std::uint16_t bytes = 0;     ///< of each primitive of a run
+    std::int16_t sample = 0;     ///< or all_samples
     std::int32_t count = 1;      ///< triangles or lines of a run, blocks of a list
     const SetupState* state = nullptr;  ///< of a run
     const BlockMask* blocks = nullptr;
@@ -115,32 +122,43 @@ class TileBins {
   void add_to_tiles(const PixelRect& box, const Entry& entry);
   void add_triangle(const SetupState& state, const WaitingTriangle& triangle, std::size_t bytes);
   void add_to_run(std::int32_t tile, EntryKind kind, const SetupState& state, const void* from, std::size_t bytes);
+  /// A bin holds what all samples of its tile wait for, in order; else (antialiasing.h has many) each sample has bins of its own.
+  bool samples_meet() const { return target_->samples <= max_samples; }
   static void run_points(const PointChunk& chunk, std::int32_t x, std::int32_t y, const TileTarget& pixels);
-  void add(std::int32_t tile, const Entry& entry) { add_to_bin(first_bin_ + tile, entry); }
+  void add(std::int32_t tile, Entry entry) {
+    entry.sample = static_cast<std::int16_t>(sample_);
+    add_to_bin(first_bin_ + tile, entry);
+  }
   void add_to_bin(std::int32_t bin_index, const Entry& entry);
   void flush_block_list(const PrimitiveRecord& record, std::int32_t tile);
   struct Rasterizers {
     PolygonRasterizer polygon;
     GroupRasterizer group;
+    SampleBlockFinder sample_blocks;
   };
+  static void run_polygon(const PrimitiveRecord& polygon, std::int32_t x, std::int32_t y, const SampleTargets& pixels,
+                          SampleBlockFinder find);
+  static void run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const SampleTargets& targets, SampleBlockFinder find);
   void run_bin(std::int32_t bin_index, const Rasterizers& rasterize);
   static void run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const TileTarget& pixels, GroupRasterizer rasterize);
-  /// The first entry and triangles of equal state right after it. Returns the number of entries done.
-  static std::size_t run_triangles(std::span<const Entry> entries, std::int32_t x, std::int32_t y, const TileTarget& pixels,
-                                   GroupRasterizer rasterize);
+  /// The first entry and triangles of equal state right after it: `run` takes each group. Returns the number of entries done.
+  template <class RunGroup>
+  static std::size_t run_triangles(std::span<const Entry> entries, const RunGroup& run);
   static void run_lines(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, PolygonRasterizer rasterize);
+  static void run_blocks(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels);
   class LookAhead;
 
   Framebuffer* target_ = nullptr;
   std::vector<Framebuffer> samples_;  ///< the target's; empty if it has one sample
-  std::int32_t first_bin_ = 0;        ///< of the sample selected
+  std::int32_t sample_ = 0;           ///< that is selected
+  std::int32_t first_bin_ = 0;        ///< its first bin
   Arena arena_;
   std::deque<RasterBinding> bindings_;
   std::deque<InternedTextures> texturings_;
   std::deque<SetupState> setups_;
   std::deque<ClearState> clears_;
   std::deque<AccumState> accums_;
-  std::vector<std::vector<Entry>> bins_;  ///< at least one for each tile of each sample, sample after sample
+  std::vector<std::vector<Entry>> bins_;  ///< one for each tile, or (see samples_meet) for each tile of each sample, sample after sample
   std::vector<std::int32_t> touched_;  ///< bins with entries
   std::size_t entry_count_ = 0;
   std::uint64_t generation_ = 0;

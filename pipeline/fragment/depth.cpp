@@ -26,8 +26,8 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 /// Depths of a block in buffer units, row pair by row pair: an integer plus a float offset from it.
 class SteppedDepth {
  public:
-  HWY_INLINE SteppedDepth(const DepthPlane& plane, const FragmentBlock& block) {
-    const double base = plane_at(plane, block.x, block.y), whole = std::nearbyint(base);
+  HWY_INLINE SteppedDepth(const DepthPlane& plane, const FragmentBlock& block, const TileTarget& target) {
+    const double base = plane_at(plane, block.x + double{target.sample_x}, block.y + double{target.sample_y}), whole = std::nearbyint(base);
     // Inside the block no covered lane is more than 14 * 65536 units from `whole`: within reach of the magic.
     whole_ = static_cast<std::int32_t>(whole) - rounding_bits;
     plane_ = {static_cast<float>(base - whole), static_cast<float>(plane.dx), static_cast<float>(plane.dy)};
@@ -52,7 +52,7 @@ class SteppedDepth {
 template <class Value, class Tag, bool is_unsigned32 = false>
 class ExactDepth {
  public:
-  HWY_INLINE ExactDepth(const DepthPlane& plane, const FragmentBlock& block) {
+  HWY_INLINE ExactDepth(const DepthPlane& plane, const FragmentBlock& block, const TileTarget& target) {
     const PlacedImage* const image = block.primitive->binding->image;
     if (image != nullptr && image->format == PixelImageFormat::depth) {
       for (Value& value : value_) value = 0;
@@ -64,8 +64,8 @@ class ExactDepth {
       return;
     }
     for (std::int32_t lane = 0; lane < 64; ++lane) {
-      const double z = std::clamp<double>(plane_at(plane, block.x + lane % 8, block.y + lane / 8), plane.minimum, plane.maximum);
-      value_[lane] = stored(z);
+      const double x = block.x + lane % 8 + double{target.sample_x}, y = block.y + lane / 8 + double{target.sample_y};
+      value_[lane] = stored(std::clamp<double>(plane_at(plane, x, y), plane.minimum, plane.maximum));
     }
   }
   HWY_INLINE FloatVector first(std::size_t) const { return hn::Zero(FloatTag()); }
@@ -88,7 +88,7 @@ using ExactDepthOf = ExactDepth<typename Format::Depth, typename Format::Tag, st
 template <class Format, class Func, class Depth, bool whole_block>
 HWY_INLINE std::uint64_t test_lanes(const FragmentBlock& block, const TileTarget& target) {
   const typename Format::Tag d;
-  const Depth depth(block.primitive->depth, block);
+  const Depth depth(block.primitive->depth, block, target);
   const bool write = block.primitive->binding->state.depth.write_enabled;
   auto* words = reinterpret_cast<typename Format::Word*>(target.depth) + block.first_pixel;
   const PairRange pairs = whole_block ? PairRange{0, row_pairs} : covered_pairs(block.coverage);

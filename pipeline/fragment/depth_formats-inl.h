@@ -17,7 +17,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
 
-HWY_INLINE double plane_at(const DepthPlane& plane, std::int32_t x, std::int32_t y) {
+HWY_INLINE double plane_at(const DepthPlane& plane, double x, double y) {
   return (plane.origin + plane.dx * x) + plane.dy * y;
 }
 

@@ -2,6 +2,8 @@
 //
 // A destination pixel's centre has its place in the source by the rectangles' proportions. The nearest pixel holds that
 // place; between pixels colours are interpolated from the four centres around it, none from outside the source rectangle.
+//
+// Where pixels keep their place, which is how programs resolve samples, tiles are copied or averaged as they lie in memory.
 #include "pipeline/framebuffer/blit.h"
 
 #include <algorithm>
@@ -11,6 +13,8 @@
 #include <vector>
 
 #include "pipeline/framebuffer/read.h"
+#include "pipeline/framebuffer/resolve.h"
+#include "pipeline/framebuffer/tile_runs.h"
 
 namespace gouraud::pipeline {
 namespace {
@@ -178,18 +182,66 @@ void copy_words(const TiledBuffer& source, const TiledBuffer& destination, const
   }
 }
 
-void blit_depth(const Framebuffer& source, const Framebuffer& destination, const std::vector<Tap>& columns,
-                const std::vector<Tap>& rows) {
-  switch (destination.depth_format) {
-    case DepthFormat::z16:
-      return copy_words<std::uint16_t>(source.depth, destination.depth, columns, rows, 0xFFFF);
-    case DepthFormat::z24s8:
-      return copy_words<std::uint32_t>(source.depth, destination.depth, columns, rows, 0xFFFFFFu);
-    case DepthFormat::z32:
-    case DepthFormat::z32f:
-      return copy_words<std::uint32_t>(source.depth, destination.depth, columns, rows, ~0u);
-    case DepthFormat::none:
+/// Calls run(offset, size) for each stretch of bytes that the planes' tiles have inside the box, at most of one tile, behind
+/// begin(tile_x, tile_y).
+template <class Begin, class Run>
+void for_each_stretch(const Framebuffer& destination, const PixelRect& box, int bytes_per_pixel, const Begin& begin, const Run& run) {
+  for (std::int32_t tile = 0; tile < destination.tile_count(); ++tile) {
+    const TileCut in_tile(destination, tile, box);
+    const std::int32_t x = in_tile.tile_x * tile_size, y = in_tile.tile_y * tile_size;
+    const PixelRect cut{std::max(box.x0 - x, 0), std::max(box.y0 - y, 0), std::min(box.x1 - x, tile_size), std::min(box.y1 - y, tile_size)};
+    if (cut.empty()) continue;
+    begin(in_tile.tile_x, in_tile.tile_y);
+    for_each_run(cut, [&](std::int32_t first, std::int32_t count) {
+      run(static_cast<std::size_t>(first * bytes_per_pixel), static_cast<std::size_t>(count * bytes_per_pixel));
+    });
+  }
+}
+
+/// Bytes of colour keep their place; several samples are averaged. All channels are written.
+void resolve_in_place(const Framebuffer& source, const Framebuffer& destination, const PixelRect& box) {
+  const ByteAverager average = byte_averager();
+  const std::byte* from[max_samples];
+  std::byte* to = nullptr;
+  const auto begin = [&](std::int32_t tile_x, std::int32_t tile_y) {
+    for (int k = 0; k < source.samples; ++k) from[k] = source.sample(k).color.tile(tile_x, tile_y);
+    to = destination.color.tile(tile_x, tile_y);
+  };
+  for_each_stretch(destination, box, 4, begin, [&](std::size_t offset, std::size_t size) {
+    if (source.samples == 1) {
+      std::memmove(to + offset, from[0] + offset, size);
       return;
+    }
+    const std::byte* const samples[max_samples] = {from[0] + offset, from[1] + offset, from[2] + offset, from[3] + offset};
+    average(samples, to + offset, size);
+  });
+}
+
+/// The bits of words of depth that `mask` names keep their place.
+template <class Word>
+void copy_in_place(const TiledBuffer& source, const Framebuffer& destination, const PixelRect& box, Word mask) {
+  const std::byte* from = nullptr;
+  std::byte* to = nullptr;
+  const auto begin = [&](std::int32_t tile_x, std::int32_t tile_y) {
+    from = source.tile(tile_x, tile_y);
+    to = destination.depth.tile(tile_x, tile_y);
+  };
+  for_each_stretch(destination, box, sizeof(Word), begin, [&](std::size_t offset, std::size_t size) {
+    const auto* const words = reinterpret_cast<const Word*>(from + offset);
+    auto* const out = reinterpret_cast<Word*>(to + offset);
+    for (std::size_t i = 0; i < size / sizeof(Word); ++i) out[i] = static_cast<Word>((words[i] & mask) | (out[i] & ~mask));
+  });
+}
+
+/// Calls copy(mask) with the bits of a word of depth.
+template <class Copy>
+void with_depth_mask(DepthFormat format, const Copy& copy) {
+  switch (format) {
+    case DepthFormat::z16: return copy(std::uint16_t{0xFFFF});
+    case DepthFormat::z24s8: return copy(std::uint32_t{0xFFFFFF});
+    case DepthFormat::z32:
+    case DepthFormat::z32f: return copy(~std::uint32_t{0});
+    case DepthFormat::none: return;
   }
 }
 
@@ -224,17 +276,31 @@ void blit(const Framebuffer& source, const Framebuffer& destination, const Blit&
   };
   const std::vector<Tap> columns = columns_of(false), rows = rows_of(false);
   if (columns.empty() || rows.empty()) return;
+  const bool in_place = from.x0 == to.x0 && from.y0 == to.y0 && from.x1 == to.x1 && from.y1 == to.y1;
+  const auto ends_of = [](const std::vector<Tap>& taps) {
+    return std::minmax(taps.front().destination, taps.back().destination);
+  };
+  const auto [x0, x1] = ends_of(columns);
+  const auto [y0, y1] = ends_of(rows);
+  const PixelRect box{x0, y0, x1 + 1, y1 + 1};
+
   const bool color = blit.color && !source.color.empty() && !destination.color.empty();
+  const bool bytes = source.color_format == ColorFormat::rgba8 && destination.color_format == ColorFormat::rgba8;
   for (int sample = 0; sample < destination.samples; ++sample) {
     const Framebuffer target = destination.sample(sample);
     const Framebuffer origin = destination.samples == source.samples ? source.sample(sample) : source;
-    const bool bytes = source.color_format == ColorFormat::rgba8 && destination.color_format == ColorFormat::rgba8;
-    if (color && bytes && !blit.linear) {
+    if (color && bytes && in_place && destination.color_channels == 0xF) {
+      resolve_in_place(origin, target, box);
+    } else if (color && bytes && !blit.linear) {
       blit_color_8(origin, target, columns, rows);
     } else if (color) {
       blit_color(origin, target, columns_of(blit.linear), rows_of(blit.linear), blit.linear);
     }
-    if (blit.depth && source.has_depth && destination.has_depth) blit_depth(origin, target, columns, rows);
+    if (blit.depth && source.has_depth && destination.has_depth) {
+      with_depth_mask(destination.depth_format, [&](auto mask) {
+        in_place ? copy_in_place(origin.depth, target, box, mask) : copy_words(origin.depth, target.depth, columns, rows, mask);
+      });
+    }
     if (blit.stencil && source.stencil_bits > 0 && destination.stencil_bits > 0) {
       blit_stencil(origin, target, columns, rows);
     }

@@ -32,15 +32,20 @@ PixelBytes repeated(const Word& pixel) {
   return bytes;
 }
 
-/// Sets `size` bytes that begin with a pixel.
+/// Sets `size` bytes that begin with a pixel, in whole patterns where there is room.
 void apply(const Pattern& pattern, std::byte* pixels, std::size_t size) {
   constexpr std::size_t step = std::tuple_size_v<PixelBytes>;
-  for (std::size_t done = 0; done < size; done += step) {
-    PixelBytes bytes{};
-    const std::size_t part = std::min(step, size - done);
-    std::memcpy(bytes.data(), pixels + done, part);
-    for (std::size_t i = 0; i < step; ++i) bytes[i] = pattern.applied(bytes[i], i);
-    std::memcpy(pixels + done, bytes.data(), part);
+  using Words = std::array<std::uint64_t, step / sizeof(std::uint64_t)>;
+  const auto value = std::bit_cast<Words>(pattern.value), mask = std::bit_cast<Words>(pattern.mask);
+  std::size_t done = 0;
+  for (; done + step <= size; done += step) {
+    Words words;
+    std::memcpy(words.data(), pixels + done, step);
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] = (words[i] & ~mask[i]) | (value[i] & mask[i]);
+    std::memcpy(pixels + done, words.data(), step);
+  }
+  for (std::size_t i = 0; done + i < size; ++i) {
+    pixels[done + i] = static_cast<std::byte>(pattern.applied(static_cast<std::uint8_t>(pixels[done + i]), i));
   }
 }
 

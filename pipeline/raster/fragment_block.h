@@ -20,6 +20,7 @@ struct TileTarget {
   std::byte* depth = nullptr;
   std::byte* stencil = nullptr;  ///< only where the depth format does not hold it
   std::int32_t sample = 0;       ///< of a multisampled target: whose pixels these are
+  float sample_x = 0.0f, sample_y = 0.0f;  ///< where depth is taken, in pixels from the pixel's centre
 };
 
 /// A block's pixels as packed bytes R, G, B, A.
@@ -62,6 +63,8 @@ struct FragmentPasses {
   /// So many passes, the first ones, need neither colours nor varyings and touch no colour buffer: whoever draws several
   /// primitives may run these for all before the others for any, and the picture is the same.
   std::int32_t early = 0;
+  /// Passes [early, shaded) are about a fragment and not about its samples: they run once for all of them.
+  std::int32_t shaded = 0;
   /// The depth test that the stencil pass runs, where there is one of both.
   FragmentPass depth_in_stencil = nullptr;
   /// Where the early passes are a depth test and nothing else; null: small triangles go the way of all.

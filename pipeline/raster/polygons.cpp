@@ -12,21 +12,15 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/raster/edge_lanes-inl.h"
+
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
-namespace hn = hwy::HWY_NAMESPACE;
-
 /// An edge that crosses the tile, relative to the tile's first pixel.
 struct TileEdge {
   std::int32_t value, a, b;
   std::int32_t least, most;  ///< what the value grows by at most downwards and upwards inside a block
 };
-
-using IntTag = hn::CappedTag<std::int32_t, 16>;
-using IntVector = hn::Vec<IntTag>;
-
-alignas(64) constexpr std::int32_t lane_column[16] = {0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7};
-alignas(64) constexpr std::int32_t lane_row[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
 
 /// The blocks of a row of the tile.
 using BlockTag = hn::CappedTag<std::int32_t, blocks_per_tile_row>;
@@ -39,19 +33,6 @@ HWY_INLINE std::uint32_t negative(IntBlocks v) {
   std::uint64_t bits = 0;
   hn::StoreMaskBits(d, hn::Lt(v, hn::Zero(d)), reinterpret_cast<std::uint8_t*>(&bits));
   return static_cast<std::uint32_t>(bits);
-}
-
-/// An edge's values in the lanes of a row pair, relative to lane 0, and from one pair to the next.
-HWY_INLINE IntVector edge_pattern(std::int32_t a, std::int32_t b, std::size_t offset) {
-  const IntTag d;
-  return hn::Add(hn::Mul(hn::Load(d, lane_column + offset), hn::Set(d, a)), hn::Mul(hn::Load(d, lane_row + offset), hn::Set(d, b)));
-}
-
-HWY_INLINE std::uint64_t not_negative(IntVector v) {
-  const IntTag d;
-  std::uint64_t bits = 0;
-  hn::StoreMaskBits(d, hn::Gt(v, hn::Set(d, -1)), reinterpret_cast<std::uint8_t*>(&bits));
-  return bits;
 }
 
 /// Lanes of a block inside three edges, without a branch.

@@ -34,10 +34,14 @@ struct RasterBinding {
   const MethodState* method = nullptr;        ///< interned too; what passes of methods need; null: there are none
   const PixelWatch* watch = nullptr;          ///< somebody looks on: passes tell what they do; null: nobody
   const PlacedImage* image = nullptr;         ///< of a pixel rectangle: gives colour or depth; null: none
+  /// Of polygons that go into all samples of their pixels at once (sample_blocks.h): bit k: into sample k. 0: into one.
+  std::uint8_t sample_mask = 0;
+  bool samples_apart = false;  ///< each sample has its own place; else all are where the pixel's centre is
   bool operator==(const RasterBinding&) const = default;
 };
 
-/// Pixel (i, j) lies on the inner side if a * i + b * j + c >= 0; the tie rule is part of c.
+/// Pixel (i, j) lies on the inner side if a * i + b * j + c >= 0; the tie rule is part of c. Where a binding has a
+/// sample_mask, c is 256 times as fine: a sample (x, y) / 256 pixel from the centre has (c + a * x + b * y) / 256, rounded down.
 ///
 /// Width: window coordinates are at most 2^16 pixels from the origin and a clipped primitive at most 2^14 across
 /// (viewport_limits below), so in 1/256 pixel |a|, |b| <= 2^22 and |c| < 2^40: int64 with room. Relative to a 64x64

@@ -9,6 +9,7 @@
 #include <new>
 
 #include "pipeline/framebuffer/framebuffer.h"
+#include "pipeline/raster/sample_positions.h"
 #include "pipeline/raster/triangles.h"
 #include "pipeline/simd/dispatch.h"
 
@@ -51,11 +52,17 @@ struct Boxes {
   Ints x0, y0, x1, y1;
 };
 
-/// The pixels whose centres a triangle's box holds; of smooth triangles, those that it can touch (snapping moved it by
-/// half a step).
-HWY_INLINE Boxes boxes_of(const SnappedTriangles& p, bool smooth) {
+/// How far from its centre a pixel can be touched, in 1/256 pixel: nowhere else; of smooth triangles everywhere (snapping moved
+/// them by half a step); where samples lie apart at these.
+HWY_INLINE std::int32_t reach_of(const SetupState& state) {
+  if (state.polygons.smooth) return subpixels / 2 + 1;
+  return state.binding->samples_apart && state.binding->sample_mask != 0 ? sample_reach : 0;
+}
+
+/// The pixels that a triangle's box touches.
+HWY_INLINE Boxes boxes_of(const SnappedTriangles& p, std::int32_t pixel_reach) {
   const auto& [a, b, c] = p.corner;
-  const Ints reach = set_ints(smooth ? subpixels / 2 + 1 : 0);
+  const Ints reach = set_ints(pixel_reach);
   const auto first = [&](Ints low) HWY_ATTR { return hn::ShiftRight<subpixel_bits>(hn::Add(hn::Sub(low, reach), set_ints(subpixels - 1))); };
   const auto end = [&](Ints high) HWY_ATTR { return hn::Add(hn::ShiftRight<subpixel_bits>(hn::Add(high, reach)), set_ints(1)); };
   return {first(least(a.x, b.x, c.x)), first(least(a.y, b.y, c.y)), end(most(a.x, b.x, c.x)), end(most(a.y, b.y, c.y))};
@@ -151,7 +158,7 @@ struct alignas(64) Selection {
 
 HWY_INLINE void select(const SetupState& state, const SnappedTriangles& p, Selection& out) {
   const SelectionTag i;
-  const Boxes box = boxes_of(p, state.polygons.smooth);
+  const Boxes box = boxes_of(p, reach_of(state));
   const PixelRect& scissor = state.scissor;
   const Boxes cut{hn::Max(box.x0, set_ints(scissor.x0)), hn::Max(box.y0, set_ints(scissor.y0)),
                   hn::Min(box.x1, set_ints(scissor.x1)), hn::Min(box.y1, set_ints(scissor.y1))};
@@ -174,7 +181,8 @@ HWY_INLINE void select(const SetupState& state, const SnappedTriangles& p, Selec
   // Find the pixels of small ones, reject those between the samples.
   const Ints most_pixels = set_ints(block_size + 1);
   const auto fits = hn::And(hn::Lt(hn::Sub(box.x1, box.x0), most_pixels), hn::Lt(hn::Sub(box.y1, box.y0), most_pixels));
-  out.small = state.polygons.smooth ? 0 : out.alive & lanes_of(fits) & ~out.scissored;
+  const bool by_centers = !state.polygons.smooth && state.binding->sample_mask == 0;
+  out.small = by_centers ? out.alive & lanes_of(fits) & ~out.scissored : 0;
   if (out.small == 0) return;
   const Masks masks = cover(p, box, mask_of_lanes(out.small), mask_of_lanes(facing.counter_clockwise));
   hn::Store(hn::BitCast(hn::RebindToUnsigned<SelectionTag>(), masks.low), hn::RebindToUnsigned<SelectionTag>(), out.low);

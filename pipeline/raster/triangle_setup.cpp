@@ -30,6 +30,7 @@ HWY_INLINE void set_up_edges(const V (&x)[3], const V (&y)[3], const TriangleGro
   const V zero = hn::Zero(d), one = set(1);
   const V area = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])), hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[1], y[0])));
   const V sign = hn::IfThenElse(hn::Gt(area, zero), one, set(-1));
+  const bool fine = group.state->binding->sample_mask != 0;
   for (std::size_t from = 0; from < 3; ++from) {
     const std::size_t to = (from + 1) % 3;
     const V a = hn::Mul(sign, hn::Sub(y[from], y[to])), b = hn::Mul(sign, hn::Sub(x[to], x[from]));
@@ -37,7 +38,7 @@ HWY_INLINE void set_up_edges(const V (&x)[3], const V (&y)[3], const TriangleGro
     const V c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, x[from]), hn::Mul(b, y[from]))), hn::IfThenElse(owns, zero, one));
     alignas(64) Lanes lane_c;
     alignas(64) std::int32_t lane_a[max_lanes], lane_b[max_lanes];
-    hn::Store(hn::Floor(hn::Mul(c, set(1.0 / subpixels))), d, lane_c);
+    hn::Store(fine ? c : hn::Floor(hn::Mul(c, set(1.0 / subpixels))), d, lane_c);
     hn::Store(hn::DemoteTo(I(), a), I(), lane_a);
     hn::Store(hn::DemoteTo(I(), b), I(), lane_b);
     for (std::uint64_t left = lanes; left != 0; left &= left - 1) {
