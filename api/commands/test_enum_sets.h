@@ -360,7 +360,8 @@ inline const std::vector<ValueSet> value_sets = [] {
   const char* const tex_env = "TexEnvf TexEnvfv TexEnvi TexEnviv";
   const char* const tex_gen = "TexGend TexGendv TexGenf TexGenfv TexGeni TexGeniv";
   const char* const fog = "Fogf Fogfv Fogi Fogiv";
-  const Enums wraps = {GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT};
+  const Enums wraps = {GL_CLAMP, GL_REPEAT, GL_CLAMP_TO_EDGE, GL_CLAMP_TO_BORDER, GL_MIRRORED_REPEAT,
+                       GL_MIRROR_CLAMP_EXT, GL_MIRROR_CLAMP_TO_EDGE_EXT, GL_MIRROR_CLAMP_TO_BORDER_EXT};
   const Enums functions = sets::range(GL_NEVER, GL_ALWAYS), magnifying = {GL_NEAREST, GL_LINEAR};
   const Enums combines = {GL_REPLACE, GL_MODULATE, GL_ADD, GL_ADD_SIGNED, GL_INTERPOLATE, GL_SUBTRACT};
   const Enums sources =

@@ -20,6 +20,9 @@ bool is_wrap_mode(GLenum mode, TextureTarget target) {
       return true;
     case GL_REPEAT:
     case GL_MIRRORED_REPEAT:
+    case GL_MIRROR_CLAMP_EXT:
+    case GL_MIRROR_CLAMP_TO_EDGE_EXT:
+    case GL_MIRROR_CLAMP_TO_BORDER_EXT:
       return target != TextureTarget::rectangle;
     default:
       return false;

@@ -18,12 +18,19 @@ using pipeline::SamplerState;
 
 constexpr WrapMode wrap_mode(GLenum mode) {
   switch (mode) {
-    case GL_CLAMP: return WrapMode::clamp;
-    case GL_CLAMP_TO_EDGE: return WrapMode::clamp_to_edge;
-    case GL_CLAMP_TO_BORDER: return WrapMode::clamp_to_border;
+    case GL_CLAMP:
+    case GL_MIRROR_CLAMP_EXT: return WrapMode::clamp;
+    case GL_CLAMP_TO_EDGE:
+    case GL_MIRROR_CLAMP_TO_EDGE_EXT: return WrapMode::clamp_to_edge;
+    case GL_CLAMP_TO_BORDER:
+    case GL_MIRROR_CLAMP_TO_BORDER_EXT: return WrapMode::clamp_to_border;
     case GL_MIRRORED_REPEAT: return WrapMode::mirrored_repeat;
     default: return WrapMode::repeat;
   }
+}
+
+constexpr bool is_mirrored_once(GLenum mode) {
+  return mode == GL_MIRROR_CLAMP_EXT || mode == GL_MIRROR_CLAMP_TO_EDGE_EXT || mode == GL_MIRROR_CLAMP_TO_BORDER_EXT;
 }
 
 constexpr TexelFilter texel_filter(GLenum filter) {
@@ -99,7 +106,10 @@ SamplerState sampler_state(const TextureObject& object, const pipeline::Image& i
   const bool linear = sampler.minify == TexelFilter::linear || sampler.magnify == TexelFilter::linear;
   sampler.seamless = seamless && object.target == TextureTarget::cube_map && linear;
   const int dimensions = pipeline::dimensions(object.target);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions); ++i) sampler.wrap[i] = wrap_mode(p.wrap[i]);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(dimensions); ++i) {
+    sampler.wrap[i] = wrap_mode(p.wrap[i]);
+    sampler.mirrored_once[i] = is_mirrored_once(p.wrap[i]);
+  }
   if (image.border == 0 && reaches_border(sampler, dimensions)) {
     sampler.border_color = border_color(p.border_color, image.base_format);
   }

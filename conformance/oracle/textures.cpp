@@ -201,6 +201,7 @@ class Level {
   /// [GL1.5 §3.8.7].
   double texel_coordinate(std::size_t k, double s) const {
     const double n = size_[k], scale = unit_.target == TextureTarget::rectangle ? 1.0 : n;
+    if (unit_.sampler.mirrored_once[k]) s = std::abs(s);
     switch (unit_.sampler.wrap[k]) {
       case WrapMode::repeat: return (s - std::floor(s)) * n;
       case WrapMode::clamp: return std::clamp(s * scale, 0.0, n);

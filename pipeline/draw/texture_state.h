@@ -47,6 +47,7 @@ enum class DepthTextureMode : std::uint8_t { luminance, intensity, alpha };
 /// How a texture is sampled.
 struct SamplerState {
   std::array<WrapMode, 3> wrap{};  ///< s, t, r as far as the target has them
+  std::array<bool, 3> mirrored_once{};  ///< their absolute values are wrapped [EXT_texture_mirror_clamp]
   TexelFilter minify = TexelFilter::nearest, magnify = TexelFilter::nearest;
   MipFilter mip = MipFilter::none;
   /// The level from which LOD 0 counts, and the last that may be used (q of §3.8.8); equal without mipmaps.

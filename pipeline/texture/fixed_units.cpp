@@ -323,7 +323,7 @@ namespace {
 bool suits(const PreparedLevel& level, const SamplerState& sampler) {
   const auto suits_axis = [&](std::size_t k) {
     const bool power_of_two = (level.size[k] & (level.size[k] - 1)) == 0;
-    return level.border[k] == 0 && (sampler.wrap[k] == WrapMode::clamp_to_edge || (sampler.wrap[k] == WrapMode::repeat && power_of_two));
+    return level.border[k] == 0 && !sampler.mirrored_once[k] && (sampler.wrap[k] == WrapMode::clamp_to_edge || (sampler.wrap[k] == WrapMode::repeat && power_of_two));
   };
   return !level.tiled && suits_axis(0) && suits_axis(1);
 }

@@ -44,6 +44,13 @@ void make_tiles_readable(const PreparedLevel& level, const std::array<AxisTexels
   }
 }
 
+/// The absolute values of one coordinate.
+HWY_INLINE const float* mirrored(const float* s, std::array<float, 64>& out) {
+  const FloatTag d;
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) hn::Store(hn::Abs(hn::Load(d, s + lane)), d, out.data() + lane);
+  return out.data();
+}
+
 /// Reads one level with one filter.
 HWY_INLINE void read_level(const PreparedUnit& unit, const LaneCoordinates& at, std::int32_t index, TexelFilter filter,
                            std::uint64_t lanes, bool keeps_others, TexelBlock& out) {
@@ -56,8 +63,10 @@ HWY_INLINE void read_level(const PreparedUnit& unit, const LaneCoordinates& at, 
     const AxisAddress address = address_of(level, k, can_leave(wrap, linear));
     const float scale = unit.state.target == TextureTarget::rectangle ? 1.0f : static_cast<float>(level.size[k]);
     read.reaches_border |= address.marks;
-    if (linear) axis_texels<true>(wrap, at.coordinate[k], scale, address, lanes, axis[k]);
-    else axis_texels<false>(wrap, at.coordinate[k], scale, address, lanes, axis[k]);
+    alignas(64) std::array<float, 64> distances;
+    const float* const s = unit.state.sampler.mirrored_once[k] ? mirrored(at.coordinate[k], distances) : at.coordinate[k];
+    if (linear) axis_texels<true>(wrap, s, scale, address, lanes, axis[k]);
+    else axis_texels<false>(wrap, s, scale, address, lanes, axis[k]);
   }
   if (level.tiled) make_tiles_readable(level, axis, unit.dimensions, linear, lanes);
   unit.kernel[linear ? 1 : 0](read, out);

@@ -112,7 +112,7 @@ ShadowFunctions shadow_functions(const PreparedUnit& unit) {
   const bool one_level = sampler.mip == MipFilter::none && sampler.minify == TexelFilter::nearest && sampler.magnify == TexelFilter::nearest;
   if (unit.state.target != TextureTarget::two_d || !sampler.compares || !one_level || sampler.max_anisotropy > 1) return {};
   for (std::size_t k = 0; k < 2; ++k) {
-    if (level.border[k] != 0 || sampler.wrap[k] != WrapMode::clamp_to_edge) return {};
+    if (level.border[k] != 0 || sampler.wrap[k] != WrapMode::clamp_to_edge || sampler.mirrored_once[k]) return {};
   }
   return GOURAUD_SIMD_PICK(select)(unit.format);
 }
