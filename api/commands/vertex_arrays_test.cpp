@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "api/commands/test_screen.h"
 #include "api/context/context.h"
 
 namespace gouraud::api {
@@ -476,6 +477,20 @@ TEST_F(VertexArrays, InitialValuesAreThoseOfTheTable) {
     glGetIntegerv(pname, &got);
     EXPECT_EQ(got, value) << pname;
   }
+}
+
+TEST(CountedArrays, RememberTheirCountUntilAPointerWithoutOneComes) {  // [EXT_vertex_array]
+  Screen screen;
+  const GLfloat vertices[6] = {};
+  GLint count = -1;
+  glVertexPointerEXT(2, GL_FLOAT, 0, 3, vertices);
+  glVertexPointerEXT(2, GL_FLOAT, 0, -1, vertices);
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_VALUE));
+  glGetIntegerv(GL_VERTEX_ARRAY_COUNT_EXT, &count);
+  EXPECT_EQ(count, 3);
+  glVertexPointer(2, GL_FLOAT, 0, vertices);
+  glGetIntegerv(GL_VERTEX_ARRAY_COUNT_EXT, &count);
+  EXPECT_EQ(count, 0);
 }
 
 }  // namespace

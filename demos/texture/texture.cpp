@@ -9,7 +9,6 @@
 #include "demos/shell/font.h"
 #include "demos/shell/images.h"
 #include "demos/shell/shell.h"
-#include "demos/shell/solids.h"
 
 namespace {
 
@@ -29,7 +28,8 @@ std::array<GLuint, filters.size()> textures{};
 GLuint font = 0;
 std::size_t wrap = 0;
 float bias = 0, way = 0;
-int width_px = 1;
+int width_px = 1, height_px = 1;
+float half_width = 1;  // of the window, at a distance of 1
 
 void init() {
   constexpr int size = 256;
@@ -50,9 +50,18 @@ void init() {
   glClearColor(0.55f, 0.7f, 0.85f, 1);
 }
 
-void reshape(int new_width_px, int height_px) {
+// The picture's middle lies below the horizon, but the eye looks level: so strips have upright sides.
+void reshape(int new_width_px, int new_height_px) {
   width_px = new_width_px;
-  shell::set_camera(new_width_px, height_px, 45, 0.2, 200);
+  height_px = new_height_px;
+  constexpr double near = 0.2, half_height = 0.4142;  // tan of 22.5 degrees
+  half_width = static_cast<float>(half_height * width_px / height_px);
+  glViewport(0, 0, width_px, height_px);
+  glMatrixMode(GL_PROJECTION);
+  glLoadIdentity();
+  glFrustum(-near * half_width, near * half_width, -1.6 * near * half_height, 0.4 * near * half_height, near, 200);
+  glMatrixMode(GL_MODELVIEW);
+  glLoadIdentity();
 }
 
 void animate(double seconds) {
@@ -65,7 +74,7 @@ void key(int key) {
   if (key == shell::key_down) bias -= 0.25f;
 }
 
-// A strip of floor under the part of the window from x0 to x1, in [-1, 1]: the same texture everywhere.
+// A strip of floor that shows between x0 and x1 at a distance of 1: the same texture everywhere.
 void strip(float x0, float x1) {
   constexpr float near_distance = 0.5f, far_distance = 150, eye_height = 1;
   glBegin(GL_QUADS);
@@ -80,19 +89,18 @@ void draw() {
   glClear(GL_COLOR_BUFFER_BIT);
   glEnable(GL_TEXTURE_2D);
   glTexEnvf(GL_TEXTURE_FILTER_CONTROL, GL_TEXTURE_LOD_BIAS, bias);
-  const float width = 1.4f / static_cast<float>(filters.size());
+  const float width = 2 * half_width / static_cast<float>(filters.size());
   for (std::size_t i = 0; i < filters.size(); ++i) {
     glBindTexture(GL_TEXTURE_2D, textures[i]);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wraps[wrap]);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wraps[wrap]);
-    const float x = -0.7f + width * static_cast<float>(i);
-    strip(x, x + width * 0.97f);
+    const float x = -half_width + width * static_cast<float>(i);
+    strip(x + width * 0.015f, x + width * 0.985f);
   }
   glDisable(GL_TEXTURE_2D);
   glColor3f(0.1f, 0.1f, 0.1f);
   for (std::size_t i = 0; i < filters.size(); ++i) {
-    glWindowPos2i(width_px * static_cast<int>(i) / static_cast<int>(filters.size()) + 8, 8);
-    glColor3f(1, 1, 0.4f);
+    glWindowPos2i(width_px * static_cast<int>(i) / static_cast<int>(filters.size()) + 8, height_px * 21 / 25);
     shell::draw_text(font, filters[i].name);
   }
 }
