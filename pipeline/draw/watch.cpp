@@ -179,6 +179,7 @@ std::string_view name_of(FragmentPass pass, const DrawState& state, const Plan& 
     if (known == pass) return name;
   }
   if (plan.fog && pass == fog_pass(state.raster.fog.mode, target.color)) return "fog";
+  if (plan.fog && pass == fogged_color_write_pass(state.raster.fog.mode)) return "fog and write color";
   if (target.methods.warps_depth() && pass == depth_method_pass(state.raster.depth.func, target.depth)) return "depth test";
   return plan.blends ? "blend and write color" : "write color";
 }
