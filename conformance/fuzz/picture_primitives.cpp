@@ -184,7 +184,7 @@ class Primitives {
     // Mesa's evaluators leave their values behind as the current ones, against the specification [GL1.5 §5.1].
     gl_.Color4f(1.0f, 1.0f, 1.0f, 1.0f);
     gl_.Normal3f(0.0f, 0.0f, 1.0f);
-    gl_.TexCoord4f(0.0f, 0.0f, 0.0f, 1.0f);
+    gl_.TexCoord3f(0.3f, 0.6f, 0.8f);
   }
 
   Brush& b_;

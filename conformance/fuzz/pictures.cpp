@@ -46,6 +46,7 @@ void draw_picture(const GlTable& gl, std::uint32_t seed, std::uint64_t features)
   gl.ClearStencil(clear.below(3));
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   gl.Viewport(0, 0, picture_side_px, picture_side_px);
+  gl.TexCoord3f(0.3f, 0.6f, 0.8f);  // no face of a cube map lies in the direction of (0, 0, 0)
   for (std::uint64_t rest = features; rest != 0; rest &= rest - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(rest));
     Brush brush(gl, sequence(seed, static_cast<std::uint32_t>(i)));
