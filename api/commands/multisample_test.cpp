@@ -112,6 +112,62 @@ TEST(Multisample, EverySampleHasItsDepth) {
   EXPECT_EQ(glGetError(), GL_NO_ERROR);
 }
 
+TEST(Multisample, AFragmentsSamplesHaveOneColor) {
+  const Screen screen;
+  multisampled();
+  // From 0 at the left to 1 at the right: where a sample has its own colour, a pixel's mean is not its centre's.
+  glBegin(GL_QUADS);
+  glColor3f(0, 0, 0);
+  glVertex2f(-1, -1);
+  glColor3f(1, 0, 0);
+  glVertex2f(1, -1);
+  glVertex2f(1, 1);
+  glColor3f(0, 0, 0);
+  glVertex2f(-1, 1);
+  glEnd();
+  resolve();
+  for (int x = 0; x < side_px; ++x) EXPECT_EQ(red_at(x, 5), std::lround((x + 0.5) / side_px * 255)) << x;
+}
+
+TEST(Multisample, LinesAndPolygonsOfOneBatchKeepTheirOrder) {
+  const Screen screen;
+  multisampled();
+  glLineWidth(4);
+  const auto line = [] {
+    glBegin(GL_LINES);
+    glVertex2f(-1, 0);
+    glVertex2f(1, 0);
+    glEnd();
+  };
+  glColor3f(0, 1, 0);
+  line();
+  glColor3f(1, 0, 0);
+  rectangle(0, 0, 16, 32);
+  glColor3f(0, 0, 1);
+  rectangle(8, 0, 16, 32);
+  glColor3f(1, 0, 0);
+  line();
+  glColor3f(0, 1, 0);
+  rectangle(0, 0, 4, 32);
+  resolve();
+  EXPECT_EQ(red_at(2, 16), 0) << "the last rectangle";
+  EXPECT_EQ(red_at(6, 16), 255);
+  EXPECT_EQ(red_at(12, 16), 255) << "the second line";
+  EXPECT_EQ(red_at(12, 20), 0);
+  EXPECT_EQ(red_at(24, 16), 255) << "the second line";
+}
+
+TEST(Multisample, TheScissorCutsSamplesToo) {
+  const Screen screen;
+  multisampled();
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(5, 5, 10, 10);
+  rectangle(0, 0, 32, 32);
+  glDisable(GL_SCISSOR_TEST);
+  resolve();
+  for (int i = 0; i < side_px; ++i) EXPECT_EQ(red_at(i, 7), i >= 5 && i < 15 ? 255 : 0) << i;
+}
+
 TEST(Multisample, SampleCoverageLeavesSomeSamples) {
   struct {
     float value;

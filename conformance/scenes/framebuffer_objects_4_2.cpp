@@ -213,10 +213,8 @@ void resolve(const GlTable& gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-// Flat, because ours gives each sample the colour of its own place and llvmpipe all of them one [GL1.5 §3.2.1].
 void resolved_rings(const GlTable& gl) {
   begin_samples(gl);
-  gl.ShadeModel(GL_FLAT);
   gl.Enable(GL_DEPTH_TEST);
   draw_ring(gl, 256, 0.3f);
   gl.MatrixMode(GL_MODELVIEW);
@@ -240,6 +238,25 @@ void resolved_slivers(const GlTable& gl) {
     }
   }
   gl.End();
+  resolve(gl);
+}
+
+// A fragment's texels, its alpha test and what it is blended with: the tests are about all of its samples or each.
+void resolved_floor(const GlTable& gl) {
+  begin_samples(gl);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Enable(GL_TEXTURE_2D);
+  noise_image(gl, GL_TEXTURE_2D, 0, GL_RGBA, 32, 32, GL_RGBA, 5);
+  filters(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
+  gl.Enable(GL_ALPHA_TEST);
+  gl.AlphaFunc(GL_GREATER, 0.25f);
+  look(gl, {.distance = 2.4f, .pitch_deg = 35});
+  textured_floor(gl, 2);
+  gl.Disable(GL_ALPHA_TEST);
+  gl.Disable(GL_TEXTURE_2D);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  draw_surface(gl, torus(0.7f, 0.3f, 24, 12), [&](const Surface::Point& p) { gl.Color4f(p.u, 1, p.v, 0.6f); });
   resolve(gl);
 }
 
@@ -273,6 +290,7 @@ SceneList framebuffer_object_scenes() {
       {.name = "fbo_blits", .section = buffers, .shows = "Six copies of a ring: whole, mirrored, cut, smaller, doubled, in a box.", .judge = llvmpipe, .draw = blits},
       {.name = "fbo_resolved_rings", .section = samples, .shows = "Two rings through each other, smooth edges.", .judge = llvmpipe, .draw = resolved_rings},
       {.name = "fbo_resolved_slivers", .section = samples, .shows = "300 slivers with smooth edges.", .judge = llvmpipe, .draw = resolved_slivers},
+      {.name = "fbo_resolved_floor", .section = samples, .shows = "A floor with holes and a pale ring, smooth edges.", .judge = llvmpipe, .draw = resolved_floor},
       {.name = "clip_control_upper_left", .section = "§2.11.1", .shows = "A ring upside down, cut by the near plane.", .judge = Judge::polygons, .draw = upper_left},
       {.name = "clip_control_zero_to_one", .section = "§2.11.1", .shows = "The ring, cut further away.", .judge = Judge::polygons, .draw = zero_to_one},
   };

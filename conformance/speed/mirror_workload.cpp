@@ -1,6 +1,7 @@
 // The scene of demos/mirror: textured and cube-mapped bodies under two lights, one of which throws shadows through a map
 // of 4096 x 4096, on a tiled floor of 10,000 quads that reflects them and runs into the fog; and a line of bitmap text.
-// Bodies and floor are display lists.
+// Bodies and floor are display lists. Once into the window, and once as a simulator's viewer does it: into a framebuffer
+// object with four samples a pixel, which the window then shows.
 #include "conformance/speed/mirror_workload.h"
 
 #include <array>
@@ -93,6 +94,22 @@ void make_shadow_map(const GlTable& gl) {
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+/// A framebuffer object with four samples a pixel. Returns its name.
+GLuint make_samples(const GlTable& gl) {
+  GLuint framebuffer = 0, pictures[2] = {};
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.GenRenderbuffers(2, pictures);
+  constexpr GLenum attachments[] = {GL_COLOR_ATTACHMENT0, GL_DEPTH_STENCIL_ATTACHMENT}, formats[] = {GL_RGBA8, GL_DEPTH24_STENCIL8};
+  for (std::size_t i = 0; i < 2; ++i) {
+    gl.BindRenderbuffer(GL_RENDERBUFFER, pictures[i]);
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 4, formats[i], width_px, height_px);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachments[i], GL_RENDERBUFFER, pictures[i]);
+  }
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  return framebuffer;
 }
 
 /// A surface of strips: place(u, v) sends the vertex at shares u, v of the way.
@@ -234,8 +251,6 @@ void render_shadow_map(const GlTable& gl) {
   gl.MatrixMode(GL_PROJECTION);
   gl.PopMatrix();
   gl.MatrixMode(GL_MODELVIEW);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.Viewport(0, 0, width_px, height_px);
 }
 
 void reflection(const GlTable& gl) {
@@ -323,8 +338,10 @@ void legend(const GlTable& gl) {
   gl.Enable(GL_FOG);
 }
 
-void draw_scene(const GlTable& gl) {
+void draw_scene(const GlTable& gl, GLuint framebuffer) {
   render_shadow_map(gl);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  gl.Viewport(0, 0, width_px, height_px);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   gl.LoadIdentity();
   look_at(gl, {0, 3.2f, 9.5f}, {0, 1, 0});
@@ -339,7 +356,7 @@ void draw_scene(const GlTable& gl) {
   legend(gl);
 }
 
-Frame mirror(const GlTable& gl) {
+void prepare(const GlTable& gl) {
   make_checkers(gl, tiles, 40);
   make_checkers(gl, wood, 100);
   make_chrome(gl);
@@ -365,13 +382,27 @@ Frame mirror(const GlTable& gl) {
   gl.Fogf(GL_FOG_START, 12);
   gl.Fogf(GL_FOG_END, 36);
   gl.ClearColor(air[0], air[1], air[2], 1);
-  return draw_scene;
+}
+
+Frame mirror(const GlTable& gl) {
+  prepare(gl);
+  return [](const GlTable& table) { draw_scene(table, 0); };
+}
+
+Frame mirror_in_samples(const GlTable& gl) {
+  prepare(gl);
+  return [framebuffer = make_samples(gl)](const GlTable& table) {
+    draw_scene(table, framebuffer);
+    table.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    table.BlitFramebuffer(0, 0, width_px, height_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  };
 }
 
 }  // namespace
 
 std::vector<Workload> mirror_workload() {
-  return {{"mirror", "shadow map, reflection, cube map, fog, text", width_px, height_px, mirror}};
+  return {{"mirror", "shadow map, reflection, cube map, fog, text", width_px, height_px, mirror},
+          {"mirror_in_samples", "the same with 4 samples a pixel, resolved", width_px, height_px, mirror_in_samples}};
 }
 
 }  // namespace gouraud::speed
