@@ -7,6 +7,7 @@
 #include <cstring>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace gouraud::pipeline {
 namespace {
@@ -202,16 +203,31 @@ void make_stencil_plane(Image& image) {
   image.stencil = std::make_shared<TiledBuffer>(image.width, image.height, 1);
 }
 
+/// glibc maps each block from 128 KiB on, at the cost of a page that is hardly used and of a page fault every 4 KiB, until it
+/// has seen a larger one given back: textures that come and go are then of memory that is there.
+static void keep_freed_memory() {
+#if defined(__GLIBC__)
+  constexpr std::size_t largest_kept = std::size_t{8} << 20;
+  [[maybe_unused]] static const bool once = [] {
+    void* volatile block = std::malloc(largest_kept);
+    std::free(block);
+    return true;
+  }();
+#endif
+}
+
 void allocate_texels(Image& image, bool zeroed) {
   constexpr std::size_t readable_behind = 16;
+  keep_freed_memory();
   const std::size_t size = texel_bytes(image);
   auto* const bytes = static_cast<std::byte*>(zeroed ? std::calloc(size + readable_behind, 1) : std::malloc(size + readable_behind));
   if (bytes == nullptr) throw std::bad_alloc();
+  std::shared_ptr<std::byte[]> texels(bytes, [](std::byte* p) { std::free(p); });
   std::memset(bytes + size, 0, readable_behind);
   image.tiles = nullptr;
   image.stencil = nullptr;
   make_stencil_plane(image);
-  image.texels = std::shared_ptr<std::byte[]>(bytes, [](std::byte* p) { std::free(p); });
+  image.texels = std::move(texels);
 }
 
 std::byte* texel_row(const Image& image, int y, int z) {
