@@ -104,7 +104,7 @@ def main():
     fuzz, ours, mesa, seed, count = sys.argv[1:6]
     folder = sys.argv[7] if sys.argv[6:7] == ["--png"] else None
     cases = 0
-    with tempfile.TemporaryDirectory() as cache:
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as cache:
         judge = Fuzz(fuzz, ours, mesa, cache)
         for ours, *mesas in judge.pictures(int(seed), int(count)):
             if (off := pixels_off(ours, mesas)) <= FEW_PIXELS:

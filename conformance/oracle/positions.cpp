@@ -70,8 +70,12 @@ std::optional<WindowVertex> to_window_space(const ClipVertex<T>& vertex, const p
 
   // Snap: nearest, ties to even, seen from the top (MESA-RULES 3).
   const T subpixels = static_cast<T>(std::int64_t{1} << subpixel_bits<T>);
-  const std::int64_t snapped_x = std::llrint((x - half) * subpixels);
-  const std::int64_t snapped_y_from_top = std::llrint((y_from_top - half) * subpixels);
+  const auto snapped = [&](T coordinate) -> std::int64_t {
+    constexpr std::int64_t far_away = std::int64_t{1} << 60;  // of bad input; what is no number as well
+    const T value = (coordinate - half) * subpixels;
+    return std::abs(value) < static_cast<T>(far_away) ? std::llrint(value) : value > 0 ? far_away : -far_away;
+  };
+  const std::int64_t snapped_x = snapped(x), snapped_y_from_top = snapped(y_from_top);
   const std::int64_t top_row_center = (static_cast<std::int64_t>(viewport.target_height_px) - 1) << subpixel_bits<T>;
 
   WindowVertex out;

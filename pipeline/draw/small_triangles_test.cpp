@@ -40,10 +40,9 @@ struct Tile {
     for (std::size_t i = 0; i < count; ++i) {
       const float x = tile_x + place(random), y = 512 - tile_y - place(random), z = unit(random);
       for (std::size_t k = 0; k < 3; ++k) {
-        vertices->window[3 * i + k] = {x + near(random), y + near(random), std::fmod(z + depth_range * unit(random), 1.0f), 1.0f};
+        vertices->window[k] = {x + near(random), y + near(random), std::fmod(z + depth_range * unit(random), 1.0f), 1.0f};
       }
-      const auto first = static_cast<std::uint16_t>(3 * i);
-      const AssembledTriangle triangle{{first, static_cast<std::uint16_t>(first + 1), static_cast<std::uint16_t>(first + 2)}, first, 7};
+      const AssembledTriangle triangle{{0, 1, 2}, 0, 7};
       waiting.emplace_back();
       const bool selected = select_triangles(state, *vertices, {&triangle, 1}, {}, waiting.back().bytes.data()) == 1;
       if (!selected || !is_here(waiting.back().triangle())) waiting.pop_back();
