@@ -129,6 +129,24 @@ TEST(Multisample, AFragmentsSamplesHaveOneColor) {
   for (int x = 0; x < side_px; ++x) EXPECT_EQ(red_at(x, 5), std::lround((x + 0.5) / side_px * 255)) << x;
 }
 
+TEST(Multisample, ACentreOutsideKeepsToTheVerticesColors) {
+  const Screen screen;
+  multisampled();
+  const auto shaded = [](float x0, float x1, auto color) {
+    const auto ndc = [](float pixel) { return pixel / (0.5f * side_px) - 1; };
+    glBegin(GL_QUADS);
+    for (const auto& [x, y, red] : {std::array{x0, -1.0f, 0.0f}, {x1, -1.0f, 1.0f}, {x1, 1.0f, 1.0f}, {x0, 1.0f, 0.0f}}) {
+      color(red);
+      glVertex2f(ndc(x), y);
+    }
+    glEnd();
+  };
+  shaded(8.625f, 16.375f, [](float red) { glColor3f(red, 0, 0); });
+  resolve();
+  EXPECT_EQ(red_at(8, 5), 0) << "two samples of black, whose line leads below it";
+  EXPECT_EQ(red_at(16, 5), 64) << "a sample of full red, whose line leads beyond it";
+}
+
 TEST(Multisample, LinesAndPolygonsOfOneBatchKeepTheirOrder) {
   const Screen screen;
   multisampled();

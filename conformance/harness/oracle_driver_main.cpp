@@ -9,30 +9,14 @@
 #include <string>
 #include <vector>
 
-#include <GL/osmesa.h>
-
 #include "api/gouraud.h"
+#include "conformance/harness/linked_osmesa.h"
 #include "conformance/harness/offscreen.h"
 #include "conformance/harness/render_scene.h"
 #include "conformance/oracle/oracle.h"
 
 namespace gouraud::conformance {
 namespace {
-
-const OsmesaFunctions linked_osmesa{
-    .CreateContextExt = [](GLenum format, GLint depth, GLint stencil, GLint accum, void* share) -> void* {
-      return OSMesaCreateContextExt(format, depth, stencil, accum, static_cast<OSMesaContext>(share));
-    },
-    .DestroyContext = [](void* context) { OSMesaDestroyContext(static_cast<OSMesaContext>(context)); },
-    .MakeCurrent =
-        [](void* context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
-          return OSMesaMakeCurrent(static_cast<OSMesaContext>(context), buffer, type, width, height);
-        },
-    .GetDepthBuffer =
-        [](void* context, GLint* width, GLint* height, GLint* bytes, void** buffer) {
-          return OSMesaGetDepthBuffer(static_cast<OSMesaContext>(context), width, height, bytes, buffer);
-        },
-    .GetProcAddress = [](const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }};
 
 Picture picture_of(const oracle::OraclePicture& exact) {
   Picture picture;

@@ -1,3 +1,4 @@
+#include "api/gouraud.h"
 #include "conformance/probes/reference.h"
 
 #include <algorithm>
@@ -5,38 +6,21 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <GL/osmesa.h>
-
-#include "api/gouraud.h"
 #include "conformance/harness/compare.h"
+#include "conformance/harness/linked_osmesa.h"
 #include "conformance/harness/offscreen.h"
 
 namespace gouraud::probes {
 namespace {
 
 using conformance::OffscreenContext;
-using conformance::OsmesaFunctions;
+using conformance::linked_osmesa;
 using conformance::Picture;
 using conformance::RgbImage;
 using oracle::OraclePicture;
 
 constexpr double rounding = 0.5;
 constexpr std::array luma_of_rgb{0.2126, 0.7152, 0.0722};  // ITU-R BT.709
-
-const OsmesaFunctions linked_osmesa{
-    .CreateContextExt = [](GLenum format, GLint depth, GLint stencil, GLint accum, void* share) -> void* {
-      return OSMesaCreateContextExt(format, depth, stencil, accum, static_cast<OSMesaContext>(share));
-    },
-    .DestroyContext = [](void* context) { OSMesaDestroyContext(static_cast<OSMesaContext>(context)); },
-    .MakeCurrent =
-        [](void* context, void* buffer, GLenum type, GLsizei width, GLsizei height) {
-          return OSMesaMakeCurrent(static_cast<OSMesaContext>(context), buffer, type, width, height);
-        },
-    .GetDepthBuffer =
-        [](void* context, GLint* width, GLint* height, GLint* bytes, void** buffer) {
-          return OSMesaGetDepthBuffer(static_cast<OSMesaContext>(context), width, height, bytes, buffer);
-        },
-    .GetProcAddress = [](const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }};
 
 OraclePicture watch(const Probe& probe, double knob, oracle::PositionModel positions) {
   OffscreenContext context(linked_osmesa, probe.width_px, probe.height_px, probe.depth_bits);

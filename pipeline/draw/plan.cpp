@@ -129,9 +129,10 @@ SecondaryColor secondary_color(const DrawState& state, const Plan& plan) {
   return plan.textured ? SecondaryColor::interpolated : SecondaryColor::summed_at_vertices;
 }
 
-bool is_all_between_shading_and_write_fog(const DrawState& state, TargetFormat target, const Plan& plan) {
+/// Nothing but fog stands between interpolation and write: one pass does all three.
+bool fogs_at_write(const DrawState& state, TargetFormat target, const Plan& plan) {
   const bool others = plan.textured || plan.phong || plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test ||
-                      target.methods.keeps_colors();
+                      target.methods.keeps_colors() || state.multisample.enabled;
   return plan.fog && !others && target.color == ColorFormat::rgba8 && state.raster.color_write_mask == 0xF;
 }
 
@@ -142,7 +143,7 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool changes_textured = plan.secondary_color == SecondaryColor::interpolated || plan.fog || plan.coverage || plan.sample_alpha || plan.alpha_test;
   const bool packed = target.color == ColorFormat::rgba8 && plan.textured && !changes_textured && !plan.phong;
   const LanesWanted wanted = plan.phong ? LanesWanted::all : LanesWanted::covered;
-  const bool fog_at_write = is_all_between_shading_and_write_fog(state, target, plan);
+  const bool fog_at_write = fogs_at_write(state, target, plan);
   const auto shade = [&] {
     if (plan.colors && !plan.phong && !fog_at_write) passes.add(color_interpolation_pass(target.methods.colors));
     if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors, wanted));

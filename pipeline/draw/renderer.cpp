@@ -45,18 +45,6 @@
 namespace gouraud::pipeline {
 namespace {
 
-/// What multiplies a depth in [0, 1] to give buffer units.
-double depth_scale(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::z16: return 0xFFFF;
-    case DepthFormat::z24s8: return 0xFFFFFF;
-    case DepthFormat::z32: return 0xFFFFFFFF;
-    case DepthFormat::none:
-    case DepthFormat::z32f: break;
-  }
-  return 1.0;
-}
-
 /// Stencil values other than zero are about to be stored.
 void note_stencil(const Framebuffer& target) {
   if (target.stencil_bits > 0 && target.depth_format == DepthFormat::z24s8) target.depth.use_stencil();

@@ -36,11 +36,6 @@ namespace {
   text += line.data();
 }
 
-double largest_depth(DepthFormat format) {
-  const bool is_float = format == DepthFormat::z32f || format == DepthFormat::none;
-  return is_float ? 1.0 : static_cast<double>((std::uint64_t{1} << depth_bits(format)) - 1);
-}
-
 /// What the pixel holds.
 struct Stored {
   std::array<int, 4> color{};  ///< of an 8-bit target
@@ -75,7 +70,7 @@ Stored stored_at(const TileTarget& target, TargetFormat format, std::int32_t pix
     case DepthFormat::z32: stored.depth = load<std::uint32_t>(target.depth, pixel); break;
     case DepthFormat::z32f: stored.depth = static_cast<double>(load<float>(target.depth, pixel)); break;
   }
-  stored.depth /= largest_depth(format.depth);
+  stored.depth /= depth_scale(format.depth);
   return stored;
 }
 
@@ -93,7 +88,7 @@ std::string describe_fragment(const PixelWatch& watch, const FragmentBlock& bloc
   if (watch.target.depth != DepthFormat::none && record.binding->image == nullptr) {
     const DepthPlane& plane = record.depth;
     const double depth = (plane.origin + plane.dx * watch.watch.x) + plane.dy * watch.watch.y;
-    append(text, ", depth %.7f", std::clamp<double>(depth, plane.minimum, plane.maximum) / largest_depth(watch.target.depth));
+    append(text, ", depth %.7f", std::clamp<double>(depth, plane.minimum, plane.maximum) / depth_scale(watch.target.depth));
   }
   return text + "\n";
 }

@@ -57,6 +57,12 @@ constexpr int depth_bits(DepthFormat format) {
   return 0;
 }
 
+/// What multiplies a depth in [0, 1] to give buffer units.
+constexpr double depth_scale(DepthFormat format) {
+  const bool is_float = format == DepthFormat::z32f || format == DepthFormat::none;
+  return is_float ? 1.0 : static_cast<double>((std::uint64_t{1} << depth_bits(format)) - 1);
+}
+
 /// The bytes of a pixel, repeated to fill 16: every format's pixels take 1, 2, 4, 8 or 16 bytes.
 using PixelBytes = std::array<std::uint8_t, 16>;
 

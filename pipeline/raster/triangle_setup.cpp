@@ -148,7 +148,7 @@ void set_up_constant_colors(const TriangleGroup& group, std::size_t first, std::
   }
 }
 
-/// Smooth triangles have fragments outside of their edges.
+/// Smooth triangles have fragments outside of their edges, and so have those that cover a sample and not the pixel's centre.
 void clamp_colors(const TriangleGroup& group, std::size_t first, std::uint64_t lanes) {
   for (std::uint64_t left = lanes; left != 0; left &= left - 1) {
     ColorRecord& color = group.color(first + static_cast<std::size_t>(__builtin_ctzll(left)));
@@ -168,7 +168,8 @@ HWY_INLINE void set_up_colors_of_lanes(const TriangleGroup& group, std::size_t f
   const Basis basis{part(0), part(1), part(2), part(3), part(4), part(5)};
   const Weights weights = weigh(basis, {inverse_w(0), inverse_w(1), inverse_w(2)});
   if (state.colors && !state.flat) set_up_colors(basis, weights, group, first, lanes);
-  if (state.colors && state.polygons.smooth) clamp_colors(group, first, lanes);
+  const bool leaves_edges = state.polygons.smooth || (state.binding->sample_mask != 0 && state.binding->samples_apart);
+  if (state.colors && leaves_edges) clamp_colors(group, first, lanes);
   if (varyings) set_up_varyings(basis, weights, group, first, HWY_MIN(hn::Lanes(d), group.count - first));
 }
 
