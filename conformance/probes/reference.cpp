@@ -1,4 +1,3 @@
-#include "api/gouraud.h"
 #include "conformance/probes/reference.h"
 
 #include <algorithm>
@@ -6,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "api/gouraud.h"
 #include "conformance/harness/compare.h"
 #include "conformance/harness/linked_osmesa.h"
 #include "conformance/harness/offscreen.h"
