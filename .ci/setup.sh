@@ -9,6 +9,8 @@ logs=$root/build/log
 build_packages=(g++ cmake ninja-build python3 khronos-api libhwy-dev libglm-dev libglfw3-dev libx11-dev libxrandr-dev
                 libpng-dev)
 test_packages=(libgtest-dev libosmesa6 xvfb xdotool imagemagick gnuplot-nox valgrind)
+# What the preset arm64 takes beside them.
+arm64_packages=(g++-aarch64-linux-gnu qemu-user libhwy-dev:arm64 libpng-dev:arm64 libgtest-dev:arm64)
 
 # fail MESSAGE: the one clear line that a failure ends with.
 fail() {
@@ -35,20 +37,37 @@ missing_packages() {
   done
 }
 
+# as_root COMMAND...: runs a command as root.
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+# add_architecture NAME: lets packages for another CPU be installed.
+add_architecture() {
+  command -v dpkg >/dev/null || return 0
+  if [[ $(dpkg --print-architecture; dpkg --print-foreign-architectures) != *$1* ]]; then
+    echo "$me: adding the Debian architecture $1"
+    step architecture as_root dpkg --add-architecture "$1"
+  fi
+}
+
 # install_packages PACKAGES...: names the missing ones and installs them.
 install_packages() {
   command -v dpkg-query >/dev/null || { echo "$me: no dpkg-query here; taking for granted: $*"; return; }
-  local missing as_root=()
+  local missing
   mapfile -t missing < <(missing_packages "$@")
   ((${#missing[@]})) || return 0
   echo "$me: installing the Debian packages ${missing[*]}"
   if ((EUID != 0)); then
     command -v sudo >/dev/null || fail "these packages are missing and there is no sudo: ${missing[*]}"
     sudo -v || fail "these packages are missing and sudo refuses: ${missing[*]}"
-    as_root=(sudo)
   fi
-  step package-lists "${as_root[@]}" apt-get update
-  step packages "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
+  step package-lists as_root apt-get update
+  step packages as_root env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends \
     "${missing[@]}"
 }
 

@@ -14,8 +14,16 @@ namespace {
 
 constexpr int scene_time_limit_s = 120;
 
+Command program_of_this_build(const Paths& paths, const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string program = paths.programs + "/" + name;
+  Command command{paths.emulator.empty() ? program : paths.emulator, {}, {}, {}, false};
+  if (!paths.emulator.empty()) command.arguments.push_back(program);
+  command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+  return command;
+}
+
 Driver mesa_driver(const Paths& paths, const std::string& name) {
-  Driver driver{name, {paths.programs + "/conformance_driver", {paths.mesa_library, name}, {}, {}, false}};
+  Driver driver{name, program_of_this_build(paths, "conformance_driver", {paths.mesa_library, name})};
   driver.command.dropped_environment = {"GALLIUM_", "GALLIVM_", "LP_", "MESA_", "LD_LIBRARY_PATH", "LD_PRELOAD"};
   driver.command.environment = {{"GALLIUM_DRIVER", name},
                                 // Mesa's own leaks and races are not what our sanitizer builds look for.
@@ -57,11 +65,13 @@ Paths Paths::of_this_build() {
   Paths paths;
   paths.programs = programs;
   paths.our_library = programs.parent_path() / "lib" / "libOSMesa.so.8";
+  paths.emulator = CONFORMANCE_EMULATOR;
   return paths;
 }
 
 Driver our_driver(const Paths& paths, const OurSettings& settings) {
-  Driver driver{"ours", {paths.programs + "/conformance_driver", {}, settings.environment, {}, false}};
+  Driver driver{"ours", program_of_this_build(paths, "conformance_driver", {})};
+  driver.command.environment = settings.environment;
   if (settings.plain) driver.command.arguments.push_back("--plain");
   driver.command.arguments.push_back(paths.our_library);
   driver.command.arguments.push_back("Gouraud");
@@ -91,7 +101,9 @@ Driver llvmpipe_driver(const Paths& paths, const TemporaryFolder& shader_cache) 
 Driver softpipe_driver(const Paths& paths) { return mesa_driver(paths, "softpipe"); }
 
 Driver oracle_driver(const Paths& paths) {
-  return {"oracle", {paths.programs + "/conformance_oracle_driver", {}, {{"GOURAUD_THREADS", "1"}}, {}, false}};
+  Driver driver{"oracle", program_of_this_build(paths, "conformance_oracle_driver", {})};
+  driver.command.environment = {{"GOURAUD_THREADS", "1"}};
+  return driver;
 }
 
 Renderings render_all(const Driver& driver, const std::vector<std::string>& scene_names) {

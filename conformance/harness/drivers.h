@@ -22,6 +22,7 @@ struct Paths {
   std::string programs;                    ///< folder of conformance_driver and conformance_oracle_driver
   std::string our_library;                 ///< libOSMesa.so.8 of this build
   std::string mesa_library = "libOSMesa.so.8";  ///< found by the system's loader, LD_LIBRARY_PATH left out
+  std::string emulator;                    ///< runs the build's programs where they are for another CPU; mostly empty
   /// Beside the running program, in the build tree.
   static Paths of_this_build();
 };

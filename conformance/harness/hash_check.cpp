@@ -17,8 +17,10 @@ struct Configuration {
 /// Values of GOURAUD_SIMD that this CPU has (pipeline/simd/dispatch.h); what it has not would silently be its best.
 std::vector<std::string> instruction_sets() {
   std::vector<std::string> result{"baseline"};
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   if (__builtin_cpu_supports("sse4.2")) result.push_back("sse4");
+#endif
+#if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) result.push_back("avx2");
   if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl")) result.push_back("avx512");
 #endif
@@ -34,9 +36,11 @@ std::vector<Configuration> configurations() {
     }
   }
   result.push_back({result.front().name + ", again", result.front().settings});
+#if defined(__x86_64__)
   // glibc chooses sin, cos and the rest by the CPU; pictures must not hang on the last bit of those.
   OurSettings old_cpu{"", "1", true, {{"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F"}}};
   result.push_back({"best, 1 thread, C library without FMA", old_cpu});
+#endif
   return result;
 }
 

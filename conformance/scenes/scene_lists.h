@@ -35,7 +35,6 @@ SceneList polygon_mode_scenes();     // §3.5.4
 SceneList polygon_offset_scenes();   // §3.5.5
 SceneList smooth_scenes();           // §3.11, §3.3.1, §3.4.2, §3.5.3
 SceneList texture_sampling_scenes();     // §3.8.6 to 3.8.10, 3.8.14
-SceneList texture_level_scenes();        // §3.8.6, §3.8.8
 SceneList texture_environment_scenes();  // §3.8.13
 SceneList texture_image_scenes();    // §3.8.1
 SceneList color_sum_scenes();        // §3.9
@@ -51,8 +50,7 @@ SceneList logic_op_scenes();         // §4.1.10
 SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
 SceneList evaluator_scenes();        // §5.1
 SceneList buffer_scenes();           // §4.2.1, §4.2.3, §4.2.4
-SceneList framebuffer_object_scenes();  // §4.2.1, §2.11.1
-SceneList multisampling_scenes();       // §3.2.1, §3.3.3, §3.4.4, §3.5.6, §4.1.3
+SceneList framebuffer_object_scenes();  // §4.2.1, §3.2.1, §2.11.1
 SceneList display_list_scenes();     // §5.4
 
 }  // namespace gouraud::conformance
