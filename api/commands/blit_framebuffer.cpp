@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "pipeline/framebuffer/blit.h"
+
 namespace gouraud::api {
 namespace {
 
@@ -66,7 +68,8 @@ void BlitFramebuffer(Context& context, GLint srcX0, GLint srcY0, GLint srcX1, GL
   if (pictures.error != GL_NO_ERROR) return context.record_error(pictures.error, command, pictures.message);
 
   context.finish_rendering();
-  context.renderer().blit(source, blit);
+  pipeline::blit(source, destination, blit);
+  context.target_changed();
 }
 
 }  // namespace gouraud::api

@@ -32,7 +32,7 @@ Target from_environment() {
 
 bool target_supported([[maybe_unused]] Target target) {
   if (target == Target::baseline) return true;
-#if defined(__x86_64__)
+#if defined(__x86_64__) || defined(__i386__)
   // What Highway's three x86 targets assume of the CPU, but for F16C: clang 14 cannot ask for it, and every CPU with
   // AVX2 has it.
   const bool sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");

@@ -5,11 +5,15 @@
 // The matrices of the state machine (api/state/matrix.cpp) take it too. Leaves out: conversions of arguments.
 #pragma once
 
-#if defined(__x86_64__)
-#include <xmmintrin.h>
-#elif defined(__aarch64__)
+#include <cfloat>
 #include <cstdint>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
 #endif
+
+// On 32-bit x86 the compiler must be told: -msse2 -mfpmath=sse.
+static_assert(FLT_EVAL_METHOD == 0, "floats are computed as floats and doubles as doubles");
 
 namespace gouraud::pipeline {
 
@@ -27,7 +31,7 @@ class IeeeFloats {
   IeeeFloats& operator=(const IeeeFloats&) = delete;
 
  private:
-#if defined(__x86_64__)
+#if defined(__SSE2__)
   using Register = unsigned;
   // MXCSR: flush to zero, rounding (2 bits), exceptions masked (6 bits), denormals are zero.
   static constexpr Register control_bits = 0x8000 | 0x6000 | 0x1F80 | 0x0040, ordinary = 0x1F80;

@@ -27,7 +27,7 @@ TEST(IeeeFloats, RoundsToNearestWhateverTheProgramHasSet) {
   EXPECT_LT(down, nearest);
 }
 
-#if defined(__x86_64__)
+#if defined(__SSE2__)
 TEST(IeeeFloats, KeepsDenormals) {
   const auto halved = [] {
     volatile float smallest_normal = 1.17549435e-38f, half = 0.5f;
