@@ -15,6 +15,12 @@ struct alignas(64) Areas : std::array<double, 64> {};
 /// within 0.001 for discs.
 void areas_of(const SmoothShape& shape, std::int32_t x, std::int32_t y, Areas& area);
 
+/// Pixels that share less than this with a shape have no fragment: a shape and its neighbour's rounding.
+inline constexpr double least_coverage = 1.0 / (1 << 20);
+
+/// The same, at most 1; returns which are at least least_coverage.
+std::uint64_t shares_of(const SmoothShape& shape, std::int32_t x, std::int32_t y, std::array<float, 64>& coverage);
+
 /// The stretch [x0, x1] in which the shape lies between y and y + 8; empty if x0 > x1.
 struct Stretch {
   double x0, x1;

@@ -86,14 +86,7 @@ std::uint64_t cover_block(const SmoothShape& shape, std::int32_t x, std::int32_t
     coverage.fill(place == BlockPlace::inside ? 1.0f : 0.0f);
     return place == BlockPlace::inside ? ~std::uint64_t{0} : 0;
   }
-  Areas area;
-  areas_of(shape, x, y, area);
-  std::uint64_t covered = 0;
-  for (std::size_t lane = 0; lane < 64; ++lane) {
-    coverage[lane] = static_cast<float>(std::min(area[lane], 1.0));
-    covered |= static_cast<std::uint64_t>(area[lane] >= least_coverage) << lane;
-  }
-  return covered;
+  return shares_of(shape, x, y, coverage);
 }
 
 PixelRect box_of(const SmoothShape& shape) {

@@ -10,9 +10,6 @@
 
 namespace gouraud::pipeline {
 
-/// Pixels that share less than this with a shape have no fragment: a shape and its neighbour's rounding.
-inline constexpr double least_coverage = 1.0 / (1 << 20);
-
 /// Finds the pixels of the smooth primitive's box in the tile whose first pixel is (tile_x, tile_y) and sends their
 /// blocks through the primitive's passes.
 void rasterize_smooth(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target);

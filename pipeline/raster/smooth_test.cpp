@@ -7,6 +7,7 @@
 #include <numbers>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "pipeline/raster/areas.h"
 
@@ -58,6 +59,53 @@ TEST(Smooth, AreasOfTrianglesAddUpWhicheverWayTheyTurn) {
     const auto& [a, b, c, unused] = triangle.corner;
     const double area = 0.5 * std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
     ASSERT_NEAR(sum_of(triangle), area, 1e-4);
+  }
+}
+
+/// The area that a convex shape shares with the pixel from (x, y) on: what is left of it when the pixel's four sides cut.
+double clipped_area(const SmoothShape& shape, double x, double y) {
+  using Corner = SmoothShape::Corner;
+  std::vector<Corner> polygon(shape.corner.begin(), shape.corner.begin() + shape.corner_count);
+  const auto keep = [&](const auto& distance) {
+    std::vector<Corner> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+      const double da = distance(a), db = distance(b);
+      if (da >= 0) kept.push_back(a);
+      if ((da < 0) != (db < 0)) kept.push_back({a.x + (b.x - a.x) * (da / (da - db)), a.y + (b.y - a.y) * (da / (da - db))});
+    }
+    polygon = kept;
+  };
+  keep([&](const Corner& at) { return at.x - x; });
+  keep([&](const Corner& at) { return x + 1 - at.x; });
+  keep([&](const Corner& at) { return at.y - y; });
+  keep([&](const Corner& at) { return y + 1 - at.y; });
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    twice += (a.x - x) * (b.y - y) - (b.x - x) * (a.y - y);
+  }
+  return 0.5 * std::abs(twice);
+}
+
+TEST(Smooth, LinesShareWithEachPixelWhatClippingLeavesOfThem) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> place(-20, 28), part(0, 1);
+  for (int i = 0; i < 400; ++i) {
+    // A rectangle along any direction; every fourth nearly along an axis, every eighth exactly.
+    const double width = 0.3 + 4 * part(random), length = 40 * part(random);
+    double angle = 6.28 * part(random);
+    if (i % 4 == 0) angle = std::round(angle / 1.5707963267948966) * 1.5707963267948966 + (i % 8 == 0 ? 0 : 1e-6 * (part(random) - 0.5));
+    const double dx = length * std::cos(angle), dy = length * std::sin(angle), nx = -width * std::sin(angle), ny = width * std::cos(angle);
+    const double x = place(random), y = place(random);
+    const SmoothShape line{{{{x, y}, {x + dx, y + dy}, {x + dx + nx, y + dy + ny}, {x + nx, y + ny}}}, 4, 0};
+    std::array<float, 64> coverage;
+    const std::uint64_t covered = cover_block(line, 0, 0, coverage);
+    for (std::size_t lane = 0; lane < 64; ++lane) {
+      const double area = clipped_area(line, static_cast<double>(lane % 8), static_cast<double>(lane / 8));
+      ASSERT_NEAR(coverage[lane], area, 2e-6) << "line " << i << " pixel " << lane;
+      ASSERT_TRUE((covered >> lane & 1) == (area >= least_coverage) || std::abs(area - least_coverage) < 1e-9) << "line " << i << " pixel " << lane;
+    }
   }
 }
 
