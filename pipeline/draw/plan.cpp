@@ -8,6 +8,7 @@
 
 #include "pipeline/draw/phong_shading.h"
 #include "pipeline/draw/plan_textures.h"
+#include "pipeline/draw/group_depth.h"
 #include "pipeline/draw/small_triangles.h"
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/alpha.h"
@@ -171,8 +172,9 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   if (plan.counts_samples) passes.add(sample_count_pass());
   if (!shades_first) passes.early = passes.shaded = passes.count;
   const bool tests_depth_only = depth_test != nullptr && passes.early == 1 && passes.pass[0] == depth_test;
-  if (tests_depth_only && !target.methods.warps_depth() && !state.polygons.offset_fill) {
-    passes.small_triangles = small_triangle_test(state.raster.depth.func, target.depth);
+  if (tests_depth_only && !target.methods.warps_depth()) {
+    passes.group_depth = group_depth_test(state.raster.depth.func, target.depth);
+    if (!state.polygons.offset_fill) passes.small_triangles = small_triangle_test(state.raster.depth.func, target.depth);
   }
   if (!plan.writes_color) return passes;
   const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings ||

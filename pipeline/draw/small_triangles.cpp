@@ -24,6 +24,7 @@
 #include <hwy/highway.h>
 
 #include "pipeline/fragment/depth_formats-inl.h"
+#include "pipeline/fragment/depth_pairs-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 #include "pipeline/raster/triangle_basis-inl.h"
 
@@ -149,31 +150,30 @@ void prepare_small_group(TriangleGroup& group, std::int32_t tile_x, std::int32_t
   }
 }
 
-/// One bit for each row pair of each block: set if it holds pixels.
-struct PairBits {
-  std::array<std::uint64_t, most_blocks * row_pairs / 64> word;
-};
-HWY_INLINE PairBits find_pairs(const SmallGroup& group) {
-  const hn::CappedTag<std::uint16_t, 32> d;
-  static_assert(pair_lanes == 16);
-  const auto* halves = reinterpret_cast<const std::uint16_t*>(group.coverage.data());
-  PairBits bits{};
-  for (std::size_t i = 0; i < most_blocks * row_pairs; i += hn::Lanes(d)) {
-    std::uint64_t found = 0;
-    hn::StoreMaskBits(d, hn::Ne(hn::Load(d, halves + i), hn::Zero(d)), reinterpret_cast<std::uint8_t*>(&found));
-    bits.word[i / 64] |= found << i % 64;
-  }
-  return bits;
-}
+/// The group's blocks as test_pairs sees them, from block `first` on.
+struct SmallBlocks {
+  const SmallGroup& group;
+  std::int32_t tile_x, tile_y;
+  std::size_t first;
 
-/// Depths of a row pair, each pixel from the plane in double.
-void exact_pair(const SmallGroup& group, std::size_t triangle, std::int32_t x, std::int32_t y, std::int32_t* depth) {
-  const DepthPlane plane{group.origin[triangle], group.exact_dx[triangle], group.exact_dy[triangle]};
-  for (std::int32_t lane = 0; lane < static_cast<std::int32_t>(pair_lanes); ++lane) {
-    const double z = std::clamp<double>(plane_at(plane, x + lane % 8, y + lane / 8), group.least[triangle], group.most[triangle]);
-    depth[lane] = static_cast<std::int32_t>(std::nearbyint(z));
+  static HWY_INLINE std::size_t corner(std::size_t n) { return n % blocks_of_triangle; }
+  HWY_INLINE std::size_t triangle(std::size_t n) const { return (first + n) / blocks_of_triangle; }
+  HWY_INLINE std::int32_t column(std::size_t n) const { return group.column[triangle(n)] + static_cast<std::int32_t>(corner(n) % 2); }
+  HWY_INLINE std::int32_t row(std::size_t n) const { return group.row[triangle(n)] + static_cast<std::int32_t>(corner(n) / 2); }
+
+  HWY_INLINE std::uint64_t coverage(std::size_t n) const { return group.coverage[first + n]; }
+  HWY_INLINE std::int32_t first_pixel(std::size_t n) const { return (row(n) * blocks_per_tile_row + column(n)) * pixels_per_block; }
+  HWY_INLINE bool steep(std::size_t n) const { return (group.steep >> triangle(n) & 1) != 0; }
+  HWY_INLINE BlockDepth depth(std::size_t n) const {
+    const std::size_t i = triangle(n), k = corner(n);
+    return {{group.base[k][i], group.dx[i], group.dy[i]}, group.step[i], group.minimum[k][i], group.maximum[k][i], group.whole[k][i]};
   }
-}
+  void exact(std::size_t n, std::size_t pair, std::int32_t* depth) const {
+    const std::size_t i = triangle(n);
+    const DepthPlane plane{group.origin[i], group.exact_dx[i], group.exact_dy[i], group.least[i], group.most[i]};
+    exact_pair(plane, tile_x + column(n) * block_size, tile_y + row(n) * block_size + static_cast<std::int32_t>(2 * pair), depth);
+  }
+};
 
 /// What passed: lists the blocks, in order, and begins the records of their triangles.
 HWY_INLINE std::size_t list_seen(const TriangleGroup& group, const SmallGroup& small, const std::array<std::uint64_t, most_blocks>& passed,
@@ -195,44 +195,14 @@ HWY_INLINE std::size_t list_seen(const TriangleGroup& group, const SmallGroup& s
 
 template <class Format, class Func>
 std::size_t test_group(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target, SeenBlock* seen) {
-  const IntTag di;
-  const FloatTag df;
   SmallGroup small;
   prepare_small_group(group, tile_x, tile_y, small);
   const bool write = group.state->binding->state.depth.write_enabled;
-  auto* const words = reinterpret_cast<typename Format::Word*>(target.depth);
   alignas(64) std::array<std::uint64_t, most_blocks> passed{};
   auto* const passed_pairs = reinterpret_cast<std::uint16_t*>(passed.data());
-  const PairBits pairs = find_pairs(small);
-  for (std::size_t w = 0; w < pairs.word.size(); ++w) {
-    for (std::uint64_t left = pairs.word[w]; left != 0; left &= left - 1) {
-      const std::size_t at = 64 * w + static_cast<std::size_t>(__builtin_ctzll(left));
-      const std::size_t pair = at % row_pairs, block = at / row_pairs, k = block % blocks_of_triangle, i = block / blocks_of_triangle;
-      const std::int32_t column = small.column[i] + static_cast<std::int32_t>(k % 2), row = small.row[i] + static_cast<std::int32_t>(k / 2);
-      const std::int32_t first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block + static_cast<std::int32_t>(pair * pair_lanes);
-      const bool steep = (small.steep >> i & 1) != 0;
-      alignas(64) std::int32_t exact[pair_lanes];
-      if (HWY_UNLIKELY(steep)) {
-        exact_pair(small, i, tile_x + column * block_size, tile_y + row * block_size + static_cast<std::int32_t>(2 * pair), exact);
-      }
-      const std::uint64_t covered = small.coverage[block] >> (pair * pair_lanes);
-      // What a step adds for pairs behind the first, and nothing before.
-      const float steps[2] = {0.0f, small.step[i]};
-      std::uint64_t bits = 0;
-      for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(di)) {
-        FloatVector part = first_pair({small.base[k][i], small.dx[i], small.dy[i]}, offset);
-        for (std::size_t p = 0; p + 1 < row_pairs; ++p) part = hn::Add(part, hn::Set(df, steps[pair > p ? 1 : 0]));
-        const FloatVector clamped = clamp_lanes(part, hn::Set(df, small.minimum[k][i]), hn::Set(df, small.maximum[k][i]));
-        IntVector z = hn::Add(bits_after_adding(rounding_magic, clamped), hn::Set(di, small.whole[k][i]));
-        if (HWY_UNLIKELY(steep)) z = hn::Load(di, exact + offset);
-        auto* const at_pixels = words + first_pixel + offset;
-        const auto stored = Format::load(at_pixels);
-        const auto passes = hn::And(Func::test(z, Format::depth(stored)), mask_of(di, lane_bits(covered, offset)));
-        if (write) Format::store(hn::IfThenElse(passes, Format::merge(stored, z), stored), at_pixels);
-        bits |= bits_of(di, passes) << offset;
-      }
-      passed_pairs[at] = static_cast<std::uint16_t>(bits);
-    }
+  for (std::size_t first = 0; first < most_blocks; first += word_blocks) {
+    const SmallBlocks blocks{small, tile_x, tile_y, first};
+    test_pairs<Format, Func>(blocks, find_pairs(small.coverage.data() + first), write, target.depth, passed_pairs + first * row_pairs);
   }
   return list_seen(group, small, passed, tile_x, tile_y, seen);
 }

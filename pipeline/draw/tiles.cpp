@@ -356,6 +356,30 @@ class TileBins::LookAhead {
   std::int32_t ahead_ = 0, near_ahead_ = 0;     ///< primitives before it that have not been run
 };
 
+/// Makes it the head of `block`.
+void place_block(const TriangleGroup& group, const SeenBlock& found, FragmentBlock& block) {
+  block.coverage = found.coverage;
+  block.x = found.x;
+  block.y = found.y;
+  block.first_pixel = found.first_pixel;
+  block.primitive = &group.record(static_cast<std::size_t>(found.primitive));
+}
+
+/// Leaves what they leave of the blocks; returns their number.
+std::size_t run_early_passes(const TriangleGroup& group, std::span<SeenBlock> blocks, const TileTarget& pixels) {
+  const FragmentPasses& passes = group.state->binding->passes;
+  FragmentBlock block;
+  std::size_t count = 0;
+  for (const SeenBlock& found : blocks) {
+    place_block(group, found, block);
+    run_passes(passes, 0, passes.early, block, pixels);
+    blocks[count] = found;
+    blocks[count].coverage = block.coverage;
+    count += block.coverage != 0 ? 1 : 0;
+  }
+  return count;
+}
+
 /// A group goes through depth setup, coverage and the early passes before any of it is coloured, and what is hidden never
 /// is. Among themselves the blocks keep their order in both halves.
 void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const TileTarget& pixels, GroupRasterizer rasterize) {
@@ -366,7 +390,9 @@ void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, c
     count = group.state->binding->passes.small_triangles(group, x, y, pixels, seen.data());
   } else {
     set_up_depths(group);
-    count = rasterize(group, x, y, pixels, seen.data());
+    count = rasterize(group, x, y, seen.data());
+    const GroupDepthTest test = group.state->binding->passes.group_depth;
+    count = test != nullptr ? test(group, seen.data(), count, pixels) : run_early_passes(group, std::span(seen).first(count), pixels);
   }
   std::uint32_t seen_triangles = 0;
   for (const SeenBlock& found : std::span(seen).first(count)) seen_triangles |= 1u << found.primitive;
@@ -374,11 +400,7 @@ void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, c
   const FragmentPasses& passes = group.state->binding->passes;
   FragmentBlock block;
   for (const SeenBlock& found : std::span(seen).first(count)) {
-    block.coverage = found.coverage;
-    block.x = found.x;
-    block.y = found.y;
-    block.first_pixel = found.first_pixel;
-    block.primitive = &group.record(static_cast<std::size_t>(found.primitive));
+    place_block(group, found, block);
     run_passes(passes, passes.early, passes.count, block, pixels);
   }
   group.count = 0;

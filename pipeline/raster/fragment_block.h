@@ -54,7 +54,9 @@ struct SeenBlock;      // polygons.h
 /// in order and returns their number. The triangles of these have their records begun.
 using SmallTriangleTest = std::size_t (*)(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target,
                                           SeenBlock* seen);
-
+/// Early passes of a group at once (draw/group_depth.h): leaves of the blocks that it covers those that are seen, in order, and
+/// returns their number.
+using GroupDepthTest = std::size_t (*)(const TriangleGroup& group, SeenBlock* blocks, std::size_t count, const TileTarget& target);
 /// The fragment passes of a plan, in order. A block that has lost all its fragments goes no further.
 struct FragmentPasses {
   static constexpr int max_passes = 16;
@@ -69,6 +71,8 @@ struct FragmentPasses {
   FragmentPass depth_in_stencil = nullptr;
   /// Where the early passes are a depth test and nothing else; null: small triangles go the way of all.
   SmallTriangleTest small_triangles = nullptr;
+  /// The same for other triangles; null: block by block.
+  GroupDepthTest group_depth = nullptr;
 
   void add(FragmentPass next) { pass[static_cast<std::size_t>(count++)] = next; }
   bool operator==(const FragmentPasses&) const = default;

@@ -61,6 +61,23 @@ HWY_INLINE PairRange covered_pairs(std::uint64_t coverage) {
           (63 - static_cast<std::size_t>(hwy::Num0BitsAboveMS1Bit_Nonzero64(lanes))) / pair_lanes + 1};
 }
 
+/// So many blocks have a word of pair bits.
+inline constexpr std::size_t word_blocks = 64 / row_pairs;
+
+/// Bit 4 * block + pair: set if the row pair holds pixels. `coverage` is of word_blocks blocks, 64-byte aligned.
+HWY_INLINE std::uint64_t find_pairs(const std::uint64_t* coverage) {
+  const hn::CappedTag<std::uint16_t, 32> d;
+  static_assert(pair_lanes == 16);
+  const auto* halves = reinterpret_cast<const std::uint16_t*>(coverage);
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < word_blocks * row_pairs; i += hn::Lanes(d)) {
+    std::uint64_t found = 0;
+    hn::StoreMaskBits(d, hn::Ne(hn::Load(d, halves + i), hn::Zero(d)), reinterpret_cast<std::uint8_t*>(&found));
+    bits |= found << i;
+  }
+  return bits;
+}
+
 HWY_INLINE bool all_lanes(std::uint64_t bits) { return bits == (std::uint64_t{1} << hn::Lanes(FloatTag())) - 1; }
 
 /// The mask whose lane i is bit i. (Through one word: byte stores followed by a wider load would stall.)
@@ -90,11 +107,15 @@ HWY_INLINE IntVector bits_after_adding(float magic, FloatVector v) {
   return hn::BitCast(IntTag(), hn::Add(v, hn::Set(FloatTag(), magic)));
 }
 
-/// One byte a channel, from floats in [0, 255] (give or take what rounding forgives).
-HWY_INLINE IntVector pack_unorm8(FloatVector r, FloatVector g, FloatVector b, FloatVector a) {
+/// One byte a channel, from floats in [0, 255] (give or take what rounding forgives): R, G, B with 0 for A, and A with 0 for them.
+HWY_INLINE IntVector pack_rgb8(FloatVector r, FloatVector g, FloatVector b) {
   const auto byte = [](FloatVector v) HWY_ATTR { return bits_after_adding(rounding_magic_positive, v); };
   const IntVector low = hn::Or(hn::Xor(byte(r), hn::Set(IntTag(), rounding_bits_positive)), hn::ShiftLeft<8>(byte(g)));
-  return hn::Or(low, hn::Or(hn::ShiftLeft<16>(byte(b)), hn::ShiftLeft<24>(byte(a))));
+  return hn::Or(low, hn::ShiftLeft<16>(byte(b)));
+}
+HWY_INLINE IntVector pack_alpha8(FloatVector a) { return hn::ShiftLeft<24>(bits_after_adding(rounding_magic_positive, a)); }
+HWY_INLINE IntVector pack_unorm8(FloatVector r, FloatVector g, FloatVector b, FloatVector a) {
+  return hn::Or(pack_rgb8(r, g, b), pack_alpha8(a));
 }
 
 /// Clamp with a defined result for NaN: the lower bound.

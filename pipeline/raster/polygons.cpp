@@ -87,111 +87,99 @@ struct BlockBox {
 struct WholeWay {
   std::int32_t tile_x, tile_y;
   const TileTarget& target;
+  const PrimitiveRecord* primitive;
 
-  HWY_INLINE void send(FragmentBlock& block) const { run_passes(block.primitive->binding->passes, block, target); }
+  /// Only the head of a FragmentBlock is written.
+  HWY_INLINE void send(std::int32_t column, std::int32_t row, std::uint64_t coverage) const {
+    if (coverage == 0) return;
+    FragmentBlock block;
+    block.primitive = primitive;
+    block.x = tile_x + column * block_size;
+    block.y = tile_y + row * block_size;
+    block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
+    block.coverage = coverage;
+    run_passes(primitive->binding->passes, block, target);
+  }
 };
 
-/// They go through the early passes, and what is left of them is listed.
-struct ToTheEarlyPasses {
+/// They are listed. (No branch: whether a block is empty is hard to guess.)
+struct ToAList {
   std::int32_t tile_x, tile_y;
-  const TileTarget& target;
-  std::int32_t primitive;
+  std::int32_t number;  ///< of the primitive
   SeenBlock* end;
 
-  HWY_INLINE void send(FragmentBlock& block) {
-    const FragmentPasses& passes = block.primitive->binding->passes;
-    run_passes(passes, 0, passes.early, block, target);
-    *end = {block.coverage, block.x, block.y, block.first_pixel, primitive};
-    end += block.coverage != 0 ? 1 : 0;
+  HWY_INLINE void send(std::int32_t column, std::int32_t row, std::uint64_t coverage) {
+    *end = {coverage, tile_x + column * block_size, tile_y + row * block_size,
+            (row * blocks_per_tile_row + column) * pixels_per_block, number};
+    end += coverage != 0 ? 1 : 0;
   }
 };
 
-/// Sends a block of the tile on its way. Only the head of a FragmentBlock is written.
-template <class Way>
-HWY_INLINE void send_block(const PrimitiveRecord& primitive, std::int32_t column, std::int32_t row, std::uint64_t coverage, Way& way) {
-  FragmentBlock block;
-  block.primitive = &primitive;
-  block.x = way.tile_x + column * block_size;
-  block.y = way.tile_y + row * block_size;
-  block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
-  block.coverage = coverage;
-  way.send(block);
-}
-
-/// The same, cut by the scissor.
+/// Sends a block on its way, cut by the scissor.
 template <class Way>
 HWY_INLINE void emit(const PrimitiveRecord& primitive, std::int32_t column, std::int32_t row, std::uint64_t coverage, Way& way) {
-  if (primitive.scissored) {
-    coverage &= box_mask(primitive, way.tile_x + column * block_size, way.tile_y + row * block_size);
-  }
-  if (coverage != 0) send_block(primitive, column, row, coverage, way);
+  if (primitive.scissored) coverage &= box_mask(primitive, way.tile_x + column * block_size, way.tile_y + row * block_size);
+  way.send(column, row, coverage);
 }
 
-/// A block's coverage as it waits to be sent.
-struct Found {
-  std::uint64_t coverage;
-  std::int32_t column, row;
-};
-
 /// 8x8 pixels, wherever they lie, cut into the four blocks that they may touch. Bit 8 * row + column of `mask` is the pixel
-/// (x + column, y + row), relative to the tile; blocks outside it are left out. Returns the number of blocks; `found` has
-/// room for four. Shifts by 64 come in two parts.
-HWY_INLINE std::size_t cut_mask(std::uint64_t mask, std::int32_t x, std::int32_t y, Found* found) {
-  constexpr std::uint64_t every_row = 0x0101010101010101u;
+/// (x + column, y + row), relative to the tile; blocks outside it are left out. Shifts by 64 come in two parts.
+template <class Way>
+HWY_INLINE void send_cut(std::uint64_t mask, std::int32_t x, std::int32_t y, Way& way) {
   const std::int32_t column = x >> 3, row = y >> 3, right = x & 7, up = y & 7;  // rounded down: they may be negative
   static_assert(block_size == 8);
+  constexpr std::uint64_t every_row = 0x0101010101010101u;
   const std::uint64_t stay = (0xFFu >> right) * every_row;
   const std::uint64_t left_half = (mask & stay) << right, right_half = (mask & ~stay) >> (8 - right);
   const std::int32_t down = 8 * (7 - up);
-  std::size_t count = 0;
-  const auto find = [&](std::uint64_t coverage, std::int32_t block_column, std::int32_t block_row) HWY_ATTR {
-    found[count] = {coverage, block_column, block_row};
-    const auto in_tile = [](std::int32_t i) -> unsigned { return static_cast<std::uint32_t>(i) < static_cast<std::uint32_t>(blocks_per_tile_row); };
-    const unsigned covers = coverage != 0;
-    count += covers & in_tile(block_column) & in_tile(block_row);  // no branches
+  const auto send = [&](std::uint64_t coverage, std::int32_t block_column, std::int32_t block_row) HWY_ATTR {
+    const auto in_tile = [](std::int32_t i) { return static_cast<std::uint32_t>(i) < static_cast<std::uint32_t>(blocks_per_tile_row); };
+    const bool here = static_cast<int>(in_tile(block_column)) & static_cast<int>(in_tile(block_row));
+    way.send(block_column, block_row, here ? coverage : 0);
   };
-  find(left_half << 8 * up, column, row);
-  find(right_half << 8 * up, column + 1, row);
-  find(left_half >> down >> 8, column, row + 1);
-  find(right_half >> down >> 8, column + 1, row + 1);
-  return count;
+  send(left_half << 8 * up, column, row);
+  send(right_half << 8 * up, column + 1, row);
+  send(left_half >> down >> 8, column, row + 1);
+  send(right_half >> down >> 8, column + 1, row + 1);
+}
+
+/// An edge far away is as good as one at this distance: inside the tile a value changes by less.
+HWY_INLINE std::int32_t nearer(std::int64_t value) {
+  constexpr std::int64_t far_away = std::int64_t{1} << 29;
+  return static_cast<std::int32_t>(HWY_MIN(HWY_MAX(value, -far_away), far_away));
 }
 
 /// At most 8x8 pixels: their edges are evaluated once, wherever they lie. `box` is relative to the tile and inside it.
 template <class Way>
 HWY_INLINE void rasterize_small(const PrimitiveRecord& primitive, const PixelRect& box, Way& way) {
-  // An edge far away is as good as one at this distance: inside the box a value changes by less than 2^27.
-  constexpr std::int64_t far_away = std::int64_t{1} << 29;
   SmallEdges edges;
   for (std::size_t k = 0; k < 3; ++k) {
     const EdgeFunction& e = primitive.edges[k];
-    const std::int64_t value = e.c + std::int64_t{e.a} * (way.tile_x + box.x0) + std::int64_t{e.b} * (way.tile_y + box.y0);
-    edges.value[k] = static_cast<std::int32_t>(HWY_MIN(HWY_MAX(value, -far_away), far_away));
+    edges.value[k] = nearer(e.c + std::int64_t{e.a} * (way.tile_x + box.x0) + std::int64_t{e.b} * (way.tile_y + box.y0));
     edges.a[k] = e.a;
     edges.b[k] = e.b;
   }
   constexpr std::uint64_t every_row = 0x0101010101010101u;
   const std::int32_t width = box.x1 - box.x0, height = box.y1 - box.y0;
   const std::uint64_t in_box = (0xFFu >> (8 - width)) * every_row & ~std::uint64_t{0} >> (64 - 8 * height);
-  Found found[4];
-  const std::size_t count = cut_mask(inside_small(edges, static_cast<std::size_t>(height + 1) / 2) & in_box, box.x0, box.y0, found);
-  for (std::size_t i = 0; i < count; ++i) send_block(primitive, found[i].column, found[i].row, found[i].coverage, way);
+  send_cut(inside_small(edges, static_cast<std::size_t>(height + 1) / 2) & in_box, box.x0, box.y0, way);
 }
 
 /// Few blocks: which edge crosses which is a coin toss that a processor guesses wrong, so all are evaluated everywhere.
 constexpr std::int32_t few_blocks = 4;
 
 template <class Way>
-HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const TileEdge (&edges)[3], const BlockBox& box, Way& way) {
-  Found found[few_blocks + 1];
-  std::size_t count = 0;
+HWY_INLINE void rasterize_few_blocks(const PrimitiveRecord& primitive, const BlockBox& box, Way& way) {
+  TileEdge edges[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const EdgeFunction& e = primitive.edges[k];
+    edges[k] = {nearer(e.c + std::int64_t{e.a} * way.tile_x + std::int64_t{e.b} * way.tile_y), e.a, e.b, 0, 0};
+  }
   for (std::int32_t row = box.y0; row <= box.y1; ++row) {
     for (std::int32_t column = box.x0; column <= box.x1; ++column) {
-      found[count] = {inside_all(edges, column * block_size, row * block_size), column, row};
-      count += found[count].coverage != 0 ? 1 : 0;
+      emit(primitive, column, row, inside_all(edges, column * block_size, row * block_size), way);
     }
   }
-  for (std::size_t i = 0; i < count; ++i) emit(primitive, found[i].column, found[i].row, found[i].coverage, way);
 }
 
 /// A row of a tile's blocks, as bits: those that an edge has wholly on its outer side, and those that it crosses.
@@ -217,27 +205,7 @@ HWY_INLINE BlockRow look_at_row(const TileEdge (&edges)[3], std::int32_t row) {
 
 /// Many blocks: those wholly on one side of all edges skip their evaluation.
 template <class Way>
-HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const TileEdge (&edges)[3], const BlockBox& box, Way& way) {
-  const std::uint32_t columns = (2u << box.x1) - (1u << box.x0);
-  for (std::int32_t row = box.y0; row <= box.y1; ++row) {
-    const BlockRow blocks = look_at_row(edges, row);
-    for (std::uint32_t left = columns & ~blocks.outside; left != 0; left &= left - 1) {
-      const auto column = static_cast<std::int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
-      const bool crossed = (blocks.crossed >> column & 1) != 0;
-      const std::uint64_t coverage = crossed ? inside_all(edges, column * block_size, row * block_size) : ~std::uint64_t{0};
-      if (coverage != 0) emit(primitive, column, row, coverage, way);
-    }
-  }
-}
-
-template <class Way>
-HWY_INLINE void rasterize_edges(const PrimitiveRecord& primitive, Way& way) {
-  const std::int32_t tile_x = way.tile_x, tile_y = way.tile_y;
-  const PixelRect pixels{std::max(primitive.x0 - tile_x, 0), std::max(primitive.y0 - tile_y, 0),
-                         std::min(primitive.x1 - tile_x, tile_size), std::min(primitive.y1 - tile_y, tile_size)};
-  if (pixels.x1 - pixels.x0 <= block_size && pixels.y1 - pixels.y0 <= block_size) {
-    return rasterize_small(primitive, pixels, way);
-  }
+HWY_INLINE void rasterize_many_blocks(const PrimitiveRecord& primitive, const BlockBox& box, Way& way) {
   constexpr std::int32_t far_corner = tile_size - 1, far_lane = block_size - 1;
   const auto least_of = [](const EdgeFunction& e, std::int32_t n) { return (e.a < 0 ? e.a * n : 0) + (e.b < 0 ? e.b * n : 0); };
   const auto most_of = [](const EdgeFunction& e, std::int32_t n) { return (e.a > 0 ? e.a * n : 0) + (e.b > 0 ? e.b * n : 0); };
@@ -246,54 +214,55 @@ HWY_INLINE void rasterize_edges(const PrimitiveRecord& primitive, Way& way) {
   TileEdge edges[3] = {};
   int edge_count = 0;
   for (const EdgeFunction& edge : primitive.edges) {
-    const std::int64_t value = edge.c + static_cast<std::int64_t>(edge.a) * tile_x + static_cast<std::int64_t>(edge.b) * tile_y;
+    const std::int64_t value = edge.c + static_cast<std::int64_t>(edge.a) * way.tile_x + static_cast<std::int64_t>(edge.b) * way.tile_y;
     if (value + most_of(edge, far_corner) < 0) return;
     if (value + least_of(edge, far_corner) >= 0) continue;
     edges[edge_count++] = {static_cast<std::int32_t>(value), edge.a, edge.b, least_of(edge, far_lane), most_of(edge, far_lane)};
   }
 
-  // Visit the blocks of the primitive's box.
+  const std::uint32_t columns = (2u << box.x1) - (1u << box.x0);
+  for (std::int32_t row = box.y0; row <= box.y1; ++row) {
+    const BlockRow blocks = look_at_row(edges, row);
+    for (std::uint32_t left = columns & ~blocks.outside; left != 0; left &= left - 1) {
+      const auto column = static_cast<std::int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(left));
+      const bool crossed = (blocks.crossed >> column & 1) != 0;
+      emit(primitive, column, row, crossed ? inside_all(edges, column * block_size, row * block_size) : ~std::uint64_t{0}, way);
+    }
+  }
+}
+
+template <class Way>
+HWY_INLINE void rasterize_edges(const PrimitiveRecord& primitive, Way& way) {
+  const PixelRect pixels{std::max(primitive.x0 - way.tile_x, 0), std::max(primitive.y0 - way.tile_y, 0),
+                         std::min(primitive.x1 - way.tile_x, tile_size), std::min(primitive.y1 - way.tile_y, tile_size)};
+  if (pixels.x1 - pixels.x0 <= block_size && pixels.y1 - pixels.y0 <= block_size) {
+    return rasterize_small(primitive, pixels, way);
+  }
   const BlockBox box{pixels.x0 / block_size, pixels.y0 / block_size, (pixels.x1 - 1) / block_size, (pixels.y1 - 1) / block_size};
   if ((box.x1 - box.x0 + 1) * (box.y1 - box.y0 + 1) <= few_blocks) {
-    rasterize_few_blocks(primitive, edges, box, way);
+    rasterize_few_blocks(primitive, box, way);
   } else {
-    rasterize_many_blocks(primitive, edges, box, way);
+    rasterize_many_blocks(primitive, box, way);
   }
 }
 
 void rasterize(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target) {
-  WholeWay way{tile_x, tile_y, target};
+  WholeWay way{tile_x, tile_y, target, &primitive};
   rasterize_edges(primitive, way);
 }
 
-/// The blocks of small triangles are listed before any is sent: how many a triangle has is hard to guess, and so the
-/// processor guesses wrong once for the list, and not for each.
-std::size_t rasterize_group(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target,
-                            SeenBlock* seen) {
-  ToTheEarlyPasses way{tile_x, tile_y, target, 0, seen};
-  Found found[4 * group_capacity];
-  std::int32_t found_in[4 * group_capacity];
-  std::size_t count = 0;
-  const auto send_found = [&]() HWY_ATTR {
-    for (std::size_t i = 0; i < count; ++i) {
-      way.primitive = found_in[i];
-      send_block(group.record(static_cast<std::size_t>(found_in[i])), found[i].column, found[i].row, found[i].coverage, way);
-    }
-    count = 0;
-  };
+std::size_t rasterize_group(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, SeenBlock* found) {
+  ToAList way{tile_x, tile_y, 0, found};
   for (std::size_t i = 0; i < group.count; ++i) {
     const WaitingTriangle& triangle = *group.triangle[i];
+    way.number = static_cast<std::int32_t>(i);
     if (triangle.small()) {
-      for (std::size_t k = 0; k < 4; ++k) found_in[count + k] = static_cast<std::int32_t>(i);
-      count += cut_mask(triangle.mask, triangle.x0 - tile_x, triangle.y0 - tile_y, found + count);
-      continue;
+      send_cut(triangle.mask, triangle.x0 - tile_x, triangle.y0 - tile_y, way);
+    } else {
+      rasterize_edges(group.record(i), way);
     }
-    send_found();
-    way.primitive = static_cast<std::int32_t>(i);
-    rasterize_edges(group.record(i), way);
   }
-  send_found();
-  return static_cast<std::size_t>(way.end - seen);
+  return static_cast<std::size_t>(way.end - found);
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
@@ -301,7 +270,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
-static_assert(most_seen_blocks == group_capacity * blocks_per_tile_row * blocks_per_tile_row);
+static_assert(most_seen_blocks == group_capacity * blocks_per_tile_row * blocks_per_tile_row + 4);
 
 PolygonRasterizer polygon_rasterizer() { return GOURAUD_SIMD_PICK(rasterize); }
 GroupRasterizer group_rasterizer() { return GOURAUD_SIMD_PICK(rasterize_group); }

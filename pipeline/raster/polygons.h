@@ -17,7 +17,7 @@ using PolygonRasterizer = void (*)(const PrimitiveRecord& primitive, std::int32_
 /// The rasterizer for the instruction set in use.
 PolygonRasterizer polygon_rasterizer();
 
-/// What is left of a block behind the early passes of its plan.
+/// A block of a group of triangles: what one of them covers, or what is left of that behind the early passes of its plan.
 struct SeenBlock {
   std::uint64_t coverage;
   std::int32_t x, y, first_pixel;  ///< as in FragmentBlock
@@ -25,12 +25,11 @@ struct SeenBlock {
   bool operator==(const SeenBlock&) const = default;
 };
 struct TriangleGroup;  // pipeline/raster/triangles.h
-/// Most blocks of a group in a tile.
-inline constexpr std::size_t most_seen_blocks = std::size_t{8} * 64;
+/// Most blocks of a group in a tile, and room to write some more that turn out not to count.
+inline constexpr std::size_t most_seen_blocks = std::size_t{8} * 64 + 4;
 
-/// The same for triangles whose depths are set up, in order and up to the early passes. Returns the number of blocks.
-using GroupRasterizer = std::size_t (*)(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y,
-                                        const TileTarget& target, SeenBlock* seen);
+/// Lists the blocks that triangles whose depths are set up cover, in order. Returns the number of blocks.
+using GroupRasterizer = std::size_t (*)(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, SeenBlock* found);
 GroupRasterizer group_rasterizer();
 
 /// Sends one block through passes [first, end) of its primitive.
