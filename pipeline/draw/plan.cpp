@@ -147,7 +147,7 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool fog_at_write = fogs_at_write(state, target, plan);
   const auto shade = [&] {
     if (plan.colors && !plan.phong && !fog_at_write) passes.add(color_interpolation_pass(target.methods.colors));
-    if (has_varyings) passes.add(varying_interpolation_pass(target.methods.colors, wanted));
+    if (has_varyings && !fog_at_write) passes.add(varying_interpolation_pass(target.methods.colors, wanted));
     if (plan.phong) passes.add(phong_shading_pass());
     if (plan.textured) passes.add(packed ? texture_words_pass() : texture_pass());
     if (plan.secondary_color == SecondaryColor::interpolated) passes.add(color_sum_pass(target.color));

@@ -21,14 +21,15 @@ namespace gouraud::pipeline::HWY_NAMESPACE {
 template <class Mode>
 HWY_INLINE void blend_with_fog(FragmentBlock& block, float scale) {
   const FloatTag d;
-  const FogOverBlock<Mode> fog(block, scale);
+  const FogBlend<Mode> fog(block.primitive->binding->state.fog, scale);
+  const float* const coordinate = block.varying[fog_coordinate(block)].data();
   float* const red = block.color[0].data();
   float* const green = block.color[1].data();
   float* const blue = block.color[2].data();
   const PairRange pairs = covered_pairs(block.coverage);
   for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(d)) {
     FloatVector r = hn::Load(d, red + lane), g = hn::Load(d, green + lane), b = hn::Load(d, blue + lane);
-    fog.blend(lane, r, g, b);
+    fog.blend(hn::Load(d, coordinate + lane), r, g, b);
     hn::Store(r, d, red + lane);
     hn::Store(g, d, green + lane);
     hn::Store(b, d, blue + lane);

@@ -34,11 +34,15 @@ class Unorm8Writer {
   HWY_INLINE std::int32_t* pixels() const { return pixels_; }
   HWY_INLINE IntVector stored(std::size_t lane) const { return hn::Load(IntTag(), pixels_ + lane); }
   HWY_INLINE void put(IntVector packed, std::uint64_t covered, std::size_t lane) const {
+    if constexpr (all_channels) {
+      if (all_lanes(covered)) return hn::Store(packed, IntTag(), pixels_ + lane);
+    }
+    put_some(packed, covered, lane);
+  }
+  /// The same where small triangles are expected: whether all lanes are covered is hard to guess.
+  HWY_INLINE void put_some(IntVector packed, std::uint64_t covered, std::size_t lane) const {
     const IntTag d;
     std::int32_t* const out = pixels_ + lane;
-    if constexpr (all_channels) {
-      if (all_lanes(covered)) return hn::Store(packed, d, out);
-    }
     const IntVector old = hn::Load(d, out);
     if constexpr (!all_channels) {
       const IntVector channels = hn::Set(d, channel_bits_);

@@ -137,14 +137,25 @@ HWY_INLINE std::uint64_t set_up_colors(const Basis& basis, const Weights& weight
   const Mask perspective = weights.perspective;
   const V (&q)[3] = weights.q;
 
-  V worst = hn::Zero(d);
-  Mask varies = hn::Lt(one, one), over_one = varies;
   FloatQuad floats[3];
   Quad c[3];
   for (std::size_t i = 0; i < 3; ++i) {
     floats[i] = load_vertices(group, first, i, &KeptVertex::color);
     c[i] = widened(floats[i]);
   }
+  const auto differ = [&](V c0, V c1, V c2) HWY_ATTR { return hn::Or(hn::Ne(c0, c1), hn::Ne(c0, c2)); };
+  const Mask varies = hn::Or(hn::Or(differ(c[0].x, c[1].x, c[2].x), differ(c[0].y, c[1].y, c[2].y)),
+                             hn::Or(differ(c[0].z, c[1].z, c[2].z), differ(c[0].w, c[1].w, c[2].w)));
+  const std::uint64_t varying = bits_of(varies);
+  if ((varying & lanes) == 0) {  // where no light falls
+    for (std::uint64_t left = lanes; left != 0; left &= left - 1) {
+      const std::size_t i = first + static_cast<std::size_t>(__builtin_ctzll(left));
+      make_constant_color(group.vertex[0][i]->color, state.targets, group.color(i));
+    }
+    return lanes;
+  }
+  V worst = hn::Zero(d);
+  Mask over_one = hn::Lt(one, one);
   PlaneLanes plane[4];
   V minimum[4], maximum[4];
   const auto channel = [&](std::size_t k, V c0, V c1, V c2) HWY_ATTR {
@@ -155,7 +166,6 @@ HWY_INLINE std::uint64_t set_up_colors(const Basis& basis, const Weights& weight
     minimum[k] = hn::Mul(hn::Min(least(c0, c1, c2), one), scale);
     maximum[k] = hn::Mul(hn::Min(high, one), scale);
     over_one = hn::Or(over_one, hn::Gt(high, one));
-    varies = hn::Or(varies, hn::Or(hn::Ne(c0, c1), hn::Ne(c0, c2)));
     worst = hn::Max(worst, slope(plane[k]));
   };
   channel(0, c[0].x, c[1].x, c[2].x);
@@ -165,7 +175,7 @@ HWY_INLINE std::uint64_t set_up_colors(const Basis& basis, const Weights& weight
 
   const V overshoot =
       hn::Div(hn::Mul(hn::Add(hn::Div(worst, scale), slope(weights.plane)), set(snap_overshoot)), weights.lowest);
-  const std::uint64_t varying = bits_of(varies), in_perspective = bits_of(perspective);
+  const std::uint64_t in_perspective = bits_of(perspective);
   const std::uint64_t clamp = bits_of(over_one) | ~bits_of(hn::Lt(overshoot, set(harmless_overshoot)));
 
   DoubleRows origin, dx, dy, inverse_w;

@@ -59,8 +59,18 @@ inline Rgba color_of_vertex(const SetupState& state, const ProcessedVertices& ve
 
 /// Copies the varyings of a vertex of a front or back face to `out`, in the layout's order. The secondary colour is that
 /// of the vertex `shading`: another one where shading is flat.
-void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, std::uint16_t shading,
-                   bool back, float* out);
+inline void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, std::uint16_t shading,
+                          bool back, float* out) {
+  const VaryingLayout& layout = state.binding->varyings;
+  const auto count = static_cast<std::size_t>(layout.of_vertices());
+  for (std::size_t k = 0; k < count; ++k) out[k] = vertices.varying[k][index];
+  if (layout.secondary_color < 0) return;
+  const Rgba& secondary = back && state.two_sided ? vertices.specular_back[shading] : vertices.specular_front[shading];
+  float* const target = out + layout.secondary_color;
+  target[0] = secondary.r;
+  target[1] = secondary.g;
+  target[2] = secondary.b;
+}
 
 /// Facing of a triangle drawn as lines or points: by the sign of its unsnapped area; zero counts as back
 /// (MESA-RULES 2.5). True for front.

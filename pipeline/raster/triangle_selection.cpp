@@ -275,19 +275,6 @@ bool faces_front(const SetupState& state, const ProcessedVertices& vertices, con
   return front_area(state, vertices, triangle) > 0.0;
 }
 
-void copy_varyings(const SetupState& state, const ProcessedVertices& vertices, std::uint16_t index, std::uint16_t shading,
-                   bool back, float* out) {
-  const VaryingLayout& layout = state.binding->varyings;
-  const auto count = static_cast<std::size_t>(layout.of_vertices());
-  for (std::size_t k = 0; k < count; ++k) out[k] = vertices.varying[k][index];
-  if (layout.secondary_color < 0) return;
-  const Rgba& secondary = back && state.two_sided ? vertices.specular_back[shading] : vertices.specular_front[shading];
-  float* const target = out + layout.secondary_color;
-  target[0] = secondary.r;
-  target[1] = secondary.g;
-  target[2] = secondary.b;
-}
-
 SharedVertices keep_vertices(const SetupState& state, const ProcessedVertices& vertices, std::size_t first, std::size_t count,
                              std::byte* memory) {
   const std::size_t bytes = kept_vertex_size(state);
