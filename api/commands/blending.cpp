@@ -51,8 +51,7 @@ bool is_equation(GLenum mode) {
   return mode == GL_FUNC_ADD || mode == GL_FUNC_SUBTRACT || mode == GL_FUNC_REVERSE_SUBTRACT || mode == GL_MIN || mode == GL_MAX;
 }
 
-void set_equations(Context& context, const char* command, GLenum rgb, GLenum alpha) {
-  if (!is_equation(rgb) || !is_equation(alpha)) return context.record_error(GL_INVALID_ENUM, command, "mode is unknown");
+void set_equations(Context& context, GLenum rgb, GLenum alpha) {
   context.state.color_buffer.blend.equation_rgb = rgb;
   context.state.color_buffer.blend.equation_alpha = alpha;
   context.change(dirty_raster);
@@ -78,11 +77,17 @@ void BlendFuncSeparate(Context& context, GLenum sfactorRGB, GLenum dfactorRGB, G
 }
 
 void BlendEquation(Context& context, GLenum mode) {
-  set_equations(context, "glBlendEquation", mode, mode);
+  if (!is_equation(mode) && mode != GL_LOGIC_OP) {
+    return context.record_error(GL_INVALID_ENUM, "glBlendEquation", "mode is unknown");
+  }
+  set_equations(context, mode, mode);
 }
 
 void BlendEquationSeparateEXT(Context& context, GLenum modeRGB, GLenum modeAlpha) {
-  set_equations(context, "glBlendEquationSeparateEXT", modeRGB, modeAlpha);
+  if (!is_equation(modeRGB) || !is_equation(modeAlpha)) {
+    return context.record_error(GL_INVALID_ENUM, "glBlendEquationSeparateEXT", "a mode is unknown");
+  }
+  set_equations(context, modeRGB, modeAlpha);
 }
 
 void BlendColor(Context& context, GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha) {

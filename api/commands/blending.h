@@ -14,7 +14,7 @@ void AlphaFunc(Context& context, GLenum func, GLfloat ref);
 void BlendFunc(Context& context, GLenum sfactor, GLenum dfactor);
 void BlendFuncSeparate(Context& context, GLenum sfactorRGB, GLenum dfactorRGB, GLenum sfactorAlpha, GLenum dfactorAlpha);
 
-/// GL_INVALID_ENUM for an unknown equation.
+/// GL_INVALID_ENUM for an unknown equation. GL_LOGIC_OP is one: blending is then the logical operation [EXT_blend_logic_op].
 void BlendEquation(Context& context, GLenum mode);
 /// Another equation for alpha than for R, G and B [EXT_blend_equation_separate].
 void BlendEquationSeparateEXT(Context& context, GLenum modeRGB, GLenum modeAlpha);

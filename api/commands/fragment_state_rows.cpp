@@ -55,6 +55,8 @@ constexpr StateRow rows[] = {
      [](const Context& c, StateValue& v) { set(v, c.state.polygon.offset_factor); }},
     {GL_POLYGON_OFFSET_UNITS, real, 1,
      [](const Context& c, StateValue& v) { set(v, c.state.polygon.offset_units); }},
+    {GL_POLYGON_OFFSET_BIAS_EXT, real, 1,
+     [](const Context& c, StateValue& v) { set(v, c.state.polygon.offset_bias); }},
     {GL_LINE_WIDTH, real, 1, [](const Context& c, StateValue& v) { set(v, c.state.line.width_px); }},
     {GL_CULL_FACE_MODE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.polygon.cull_face); }},
     {GL_FRONT_FACE, integer, 1, [](const Context& c, StateValue& v) { set(v, c.state.polygon.front_face); }},

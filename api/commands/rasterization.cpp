@@ -5,6 +5,17 @@
 #include "api/commands/clamped.h"
 
 namespace gouraud::api {
+namespace {
+
+void set_offset(Context& context, float factor, float units, float bias) {
+  PolygonGroup& polygon = context.state.polygon;
+  polygon.offset_factor = factor;
+  polygon.offset_units = units;
+  polygon.offset_bias = bias;
+  context.change(dirty_assembly);
+}
+
+}  // namespace
 
 void PointSize(Context& context, GLfloat size) {
   if (!(size > 0.0f)) return context.record_error(GL_INVALID_VALUE, "glPointSize", "size is not positive");
@@ -49,11 +60,8 @@ void LineStipple(Context& context, GLint factor, GLushort pattern) {
   context.change(dirty_assembly);
 }
 
-void PolygonOffset(Context& context, GLfloat factor, GLfloat units) {
-  context.state.polygon.offset_factor = factor;
-  context.state.polygon.offset_units = units;
-  context.change(dirty_assembly);
-}
+void PolygonOffset(Context& context, GLfloat factor, GLfloat units) { set_offset(context, factor, units, 0.0f); }
+void PolygonOffsetEXT(Context& context, GLfloat factor, GLfloat bias) { set_offset(context, factor, 0.0f, bias); }
 
 void FrontFace(Context& context, GLenum mode) {
   if (mode != GL_CW && mode != GL_CCW) {

@@ -17,7 +17,11 @@ void PointParameterfv(Context& context, GLenum pname, const GLfloat* params);
 /// `factor` is clamped to [1, 256].
 void LineStipple(Context& context, GLint factor, GLushort pattern);
 
+/// The last of both decides [GL1.5 §3.5.5]. `units` counts steps of the depth buffer; `bias` is in window z, as
+/// EXT_polygon_offset has it.
+/// choice: what one sets, the other reads as 0, since neither can say it (Mesa keeps one number in two units).
 void PolygonOffset(Context& context, GLfloat factor, GLfloat units);
+void PolygonOffsetEXT(Context& context, GLfloat factor, GLfloat bias);
 
 /// All: GL_INVALID_ENUM for unknown values.
 void FrontFace(Context& context, GLenum mode);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -91,6 +92,54 @@ TEST(PolygonOffset, IsKeptAsGiven) {
   glPolygonOffset(-1.5f, -4.0f);
   EXPECT_EQ(real(GL_POLYGON_OFFSET_FACTOR), -1.5f);
   EXPECT_EQ(real(GL_POLYGON_OFFSET_UNITS), -4.0f);
+}
+
+TEST(PolygonOffset, KeepsTheLastOfUnitsAndBias) {
+  Screen screen;
+  glPolygonOffset(-1.5f, -4.0f);
+  glPolygonOffsetEXT(2.0f, 0.25f);
+  EXPECT_EQ(real(GL_POLYGON_OFFSET_FACTOR_EXT), 2.0f);
+  EXPECT_EQ(real(GL_POLYGON_OFFSET_BIAS_EXT), 0.25f);
+  EXPECT_EQ(real(GL_POLYGON_OFFSET_UNITS), 0.0f);
+  glPushAttrib(GL_POLYGON_BIT);
+  glPolygonOffset(1.0f, 8.0f);
+  EXPECT_EQ(real(GL_POLYGON_OFFSET_BIAS_EXT), 0.0f);
+  glPopAttrib();
+  EXPECT_EQ(real(GL_POLYGON_OFFSET_BIAS_EXT), 0.25f);
+  EXPECT_EQ(real(GL_POLYGON_OFFSET_UNITS), 0.0f);
+}
+
+TEST(PolygonOffset, TakesABiasInWindowDepth) {
+  Screen screen;
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_POLYGON_OFFSET_EXT);
+  const auto depth_with = [](float bias) {
+    glClear(GL_DEPTH_BUFFER_BIT);
+    glPolygonOffsetEXT(0.0f, bias);
+    glRectf(-1.0f, -1.0f, 1.0f, 1.0f);
+    float depth = -1.0f;
+    glReadPixels(3, 3, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    return depth;
+  };
+  for (const float bias : {0.0f, 0.25f, -0.125f, 1e-5f, -0.5f, -3.0f}) {
+    EXPECT_NEAR(depth_with(bias), std::max(0.5f + bias, 0.0f), 1.0f / 16777215) << bias;
+  }
+  EXPECT_NEAR(depth_with(std::numeric_limits<float>::quiet_NaN()), 0.5f, 1.0f / 16777215);
+}
+
+// [GL1.5 §3.5.5]: the sum is clamped to [0, 1], however far it lies outside.
+TEST(PolygonOffset, KeepsDepthsInTheirRange) {
+  Screen screen;
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_ALWAYS);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  for (float steps = -4e7f; steps <= 4e7f; steps += 1e6f) {
+    glPolygonOffset(0.0f, steps / 2);  // a unit is two steps
+    glRectf(-1.0f, -1.0f, 1.0f, 1.0f);
+    float depth = -1.0f;
+    glReadPixels(3, 3, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);
+    EXPECT_NEAR(depth, std::clamp(0.5f + steps / 16777215, 0.0f, 1.0f), 2.0f / 16777215) << steps;
+  }
 }
 
 // Whatever is asked for: nothing crashes, nothing is read or written out of range.

@@ -132,6 +132,7 @@ const std::vector<Initial> rasterization = {
     {GL_POLYGON_MODE, {GL_FILL, GL_FILL}},
     {GL_POLYGON_OFFSET_FACTOR, {0}},
     {GL_POLYGON_OFFSET_UNITS, {0}},
+    {GL_POLYGON_OFFSET_BIAS_EXT, {0}},
     {GL_SAMPLE_COVERAGE_VALUE, {1}},
     {GL_SAMPLE_COVERAGE_INVERT, {0}},
 };

@@ -116,6 +116,35 @@ class OtherNames(unittest.TestCase):
 
 
 class Advertised(unittest.TestCase):
+    """Issue: every ARB or EXT extension whose commands became core up to GL 1.5 is advertised, its names callable. That
+    what the registry declares is exported and found by OSMesaGetProcAddress, library_test.py and entries_test.cpp say."""
+
+    SUFFIX = re.compile("(ARB|EXT)$")
+
+    def extensions_in_core(self):
+        """(name, commands) of the extensions of the ARB and of several vendors that the core has taken commands from."""
+        root = registry_module.ElementTree.parse(XML).getroot()
+        nodes = {node.find("proto/name").text[2:]: node for node in root.find("commands")}
+
+        def is_core(name):
+            alias = nodes[name].find("alias")
+            return self.SUFFIX.sub("", name) in CORE or (alias is not None and alias.get("name")[2:] in CORE)
+
+        for extension in root.find("extensions"):
+            if "gl" in extension.get("supported").split("|") and re.match("GL_(ARB|EXT)_", extension.get("name")):
+                commands = [node.get("name")[2:] for block in extension.findall("require")
+                            if block.get("api") in (None, "gl") for node in block.findall("command")]
+                if any(map(is_core, commands)):
+                    yield extension.get("name"), commands
+
+    def test_and_declared_is_every_extension_that_commands_came_from(self):
+        found = dict(self.extensions_in_core())
+        self.assertEqual(len(found), 23)
+        del found["GL_ARB_imaging"]  # optional in every version [GL1.5 §3.6.2]; two of its commands no longer are
+        for name, commands in found.items():
+            self.assertTrue(EXTENSIONS[name].advertised, name)
+            self.assertEqual(set(commands) - set(REGISTRY.signatures), set(), name)
+
     def test_what_is_advertised_is_written(self):
         written = handlers.find_handlers(HERE.parent / "commands", REGISTRY.commands)
         primary = {alias: command.name for command in REGISTRY.commands.values() for alias in command.aliases}
@@ -124,14 +153,23 @@ class Advertised(unittest.TestCase):
                 command = REGISTRY.commands[primary.get(name, name)]
                 self.assertIsNotNone(handlers.statements(command, written), f"{section.name}: {name}")
 
-    def test_what_became_core_is_advertised(self):
-        for name in ("ARB_multitexture", "ARB_transpose_matrix", "EXT_vertex_array", "EXT_blend_color",
-                     "EXT_secondary_color", "EXT_fog_coord", "ARB_window_pos", "ARB_point_parameters",
-                     "ARB_occlusion_query", "ARB_vertex_buffer_object", "EXT_draw_range_elements",
-                     "EXT_rescale_normal", "EXT_separate_specular_color", "EXT_texture3D", "EXT_bgra",
-                     "EXT_packed_pixels", "EXT_subtexture", "EXT_copy_texture", "EXT_texture_object",
-                     "SGIS_texture_edge_clamp", "ARB_texture_border_clamp", "ARB_multisample", "ARB_texture_cube_map",
-                     "ARB_texture_compression", "EXT_multi_draw_arrays", "EXT_blend_minmax"):
+    def test_is_what_the_versions_are_made_of(self):
+        """The extensions without commands as well: those that the specifications of GL 1.1 to 1.5 name as the origins of
+        what each version added [GL1.5 App. G, App. H]."""
+        origins = {
+            "1.1": "EXT_vertex_array EXT_polygon_offset EXT_blend_logic_op EXT_texture EXT_copy_texture EXT_subtexture "
+                   "EXT_texture_object",
+            "1.2": "EXT_texture3D EXT_bgra EXT_packed_pixels EXT_rescale_normal EXT_separate_specular_color "
+                   "SGIS_texture_edge_clamp SGIS_texture_lod EXT_draw_range_elements",
+            "1.3": "ARB_texture_compression ARB_texture_cube_map ARB_multisample ARB_multitexture ARB_texture_env_add "
+                   "ARB_texture_env_combine ARB_texture_env_dot3 ARB_texture_border_clamp ARB_transpose_matrix",
+            "1.4": "SGIS_generate_mipmap NV_blend_square EXT_blend_color EXT_blend_minmax EXT_blend_subtract "
+                   "ARB_depth_texture ARB_shadow EXT_fog_coord EXT_multi_draw_arrays ARB_point_parameters "
+                   "EXT_secondary_color EXT_blend_func_separate EXT_stencil_wrap ARB_texture_env_crossbar "
+                   "EXT_texture_lod_bias ARB_texture_mirrored_repeat ARB_window_pos",
+            "1.5": "ARB_vertex_buffer_object ARB_occlusion_query EXT_shadow_funcs",
+        }
+        for name in " ".join(origins.values()).split():
             self.assertTrue(EXTENSIONS["GL_" + name].advertised, name)
 
 

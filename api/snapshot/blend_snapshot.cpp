@@ -32,6 +32,11 @@ BlendFactor alpha_factor(BlendFactor factor) {
   }
 }
 
+/// By its own enable, or as an equation of blending [EXT_blend_logic_op].
+bool operates_logically(const ColorBufferGroup& group) {
+  return group.logic_op_enabled || (group.blend.enabled && group.blend.equation_rgb == GL_LOGIC_OP);
+}
+
 bool takes(const BlendTerms& terms, BlendFactor first, BlendFactor second) {
   return terms.source == first || terms.source == second || terms.destination == first || terms.destination == second;
 }
@@ -46,7 +51,7 @@ pipeline::AlphaTestState alpha_test_state(const ColorBufferGroup& group) {
 
 pipeline::BlendState blend_state(const ColorBufferGroup& group, std::uint8_t color_write_mask) {
   const Blending& blend = group.blend;
-  if (!blend.enabled || group.logic_op_enabled) return {};
+  if (!blend.enabled || operates_logically(group)) return {};
   pipeline::BlendState result;
   if ((color_write_mask & 7) != 0) {
     result.rgb = canonical({blend_equation(blend.equation_rgb), blend_factor(blend.source_rgb),
@@ -71,7 +76,7 @@ pipeline::BlendState blend_state(const ColorBufferGroup& group, std::uint8_t col
 }
 
 pipeline::LogicOp logic_op_state(const ColorBufferGroup& group, std::uint8_t color_write_mask, pipeline::ColorFormat format) {
-  const bool acts = group.logic_op_enabled && color_write_mask != 0 && format != pipeline::ColorFormat::rgba32f;
+  const bool acts = operates_logically(group) && color_write_mask != 0 && format != pipeline::ColorFormat::rgba32f;
   return acts ? logic_op(group.logic_op) : pipeline::LogicOp::copy;
 }
 

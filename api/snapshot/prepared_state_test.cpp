@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "api/snapshot/blend_snapshot.h"
 #include "api/snapshot/test_parameters.h"
 
 namespace gouraud::api {
@@ -98,6 +99,22 @@ TEST(StencilSnapshot, ComparesNothingUnderAnEmptyMaskAndClampsTheReference) {
   for (const auto& [reference, clamped] : {std::pair{300, 255}, std::pair{-7, 0}, std::pair{77, 77}}) {
     state.stencil.front = {GL_GEQUAL, reference, ~0u, GL_KEEP, GL_KEEP, GL_KEEP, 0xFF};
     EXPECT_EQ(snapshot_of(state, stencil_target).raster.stencil.front.reference, clamped);
+  }
+}
+
+TEST(BlendSnapshot, OfTheEquationLogicOpIsThatOfTheLogicalOperation) {
+  State as_equation, as_operation;
+  as_equation.color_buffer.blend.equation_rgb = as_equation.color_buffer.blend.equation_alpha = GL_LOGIC_OP;
+  for (const GLenum op : {GL_XOR, GL_COPY, GL_NOOP}) {
+    as_equation.color_buffer.logic_op = as_operation.color_buffer.logic_op = op;
+    for (const bool enabled : {true, false}) {
+      as_equation.color_buffer.blend.enabled = as_operation.color_buffer.logic_op_enabled = enabled;
+      const ColorBufferGroup &a = as_equation.color_buffer, &b = as_operation.color_buffer;
+      for (const pipeline::ColorFormat format : {pipeline::ColorFormat::rgba8, pipeline::ColorFormat::rgba32f}) {
+        EXPECT_EQ(logic_op_state(a, 15, format), logic_op_state(b, 15, format));
+      }
+      EXPECT_EQ(blend_state(a, 15), pipeline::BlendState());
+    }
   }
 }
 

@@ -64,13 +64,15 @@ pipeline::PolygonState polygon_state(const PolygonGroup& polygon, const pipeline
   pipeline::PolygonState result;
   result.smooth = polygon.smooth_enabled && draws_faces(assembly, PolygonMode::fill);
   const float factor = number_or_zero(polygon.offset_factor), units = number_or_zero(polygon.offset_units);
-  if (!depth_matters || (factor == 0.0f && units == 0.0f)) return result;
+  const float bias = number_or_zero(polygon.offset_bias);
+  if (!depth_matters || (factor == 0.0f && units == 0.0f && bias == 0.0f)) return result;
   result.offset_fill = polygon.offset_fill_enabled && draws_faces(assembly, PolygonMode::fill);
   result.offset_line = polygon.offset_line_enabled && draws_faces(assembly, PolygonMode::line);
   result.offset_point = polygon.offset_point_enabled && draws_faces(assembly, PolygonMode::point);
   if (result.offset_fill || result.offset_line || result.offset_point) {
     result.offset_factor = factor;
     result.offset_units = units;
+    result.offset_bias = bias;
   }
   return result;
 }

@@ -82,6 +82,7 @@ inline void add_polygons(std::vector<Parameter>& list) {
   };
   list.push_back({"polygon offset factor", [](State& s, Random& r) { s.polygon.offset_factor += number(r); }, is_offset});
   list.push_back({"polygon offset units", [](State& s, Random& r) { s.polygon.offset_units += number(r); }, is_offset});
+  list.push_back({"polygon offset bias", [](State& s, Random& r) { s.polygon.offset_bias += number(r); }, is_offset});
 }
 
 inline void add_framebuffer(std::vector<Parameter>& list) {

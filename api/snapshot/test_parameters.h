@@ -116,7 +116,10 @@ struct View {
   bool draws(GLenum mode) const {
     return (front() && state.polygon.front_mode == mode) || (back() && state.polygon.back_mode == mode);
   }
-  bool has_offset() const { return state.polygon.offset_factor != 0.0f || state.polygon.offset_units != 0.0f; }
+  bool has_offset() const {
+    const PolygonGroup& p = state.polygon;
+    return p.offset_factor != 0.0f || p.offset_units != 0.0f || p.offset_bias != 0.0f;
+  }
   bool two_sided() const { return lit() && state.lighting.model_two_side && back(); }
   bool follows(GLenum parameter, GLenum face) const {
     const LightingGroup& l = state.lighting;

@@ -41,7 +41,9 @@ struct PolygonGroup {
   bool smooth_enabled = false;
   bool stipple_enabled = false;  ///< the pattern is of a group of its own
   bool offset_fill_enabled = false, offset_line_enabled = false, offset_point_enabled = false;
-  float offset_factor = 0.0f, offset_units = 0.0f;
+  float offset_factor = 0.0f;
+  float offset_units = 0.0f;  ///< 0 after PolygonOffsetEXT
+  float offset_bias = 0.0f;   ///< of PolygonOffsetEXT, in window z; 0 after PolygonOffset
   bool operator==(const PolygonGroup&) const = default;
 };
 

@@ -237,7 +237,8 @@ double polygon_offset(const pipeline::PolygonState& state, int depth_bits, const
     const double dy = ((c.z - a.z) * (b.x - a.x) - (b.z - a.z) * (c.x - a.x)) / area;
     slope = std::max(std::abs(dx), std::abs(dy));
   }
-  return slope * static_cast<double>(state.offset_factor) + offset_unit * static_cast<double>(state.offset_units) / depth_units_of(depth_bits);
+  return slope * static_cast<double>(state.offset_factor) + offset_unit * static_cast<double>(state.offset_units) / depth_units_of(depth_bits) +
+         static_cast<double>(state.offset_bias);
 }
 
 void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices) {

@@ -1,6 +1,8 @@
 // Polygon offset. [GL1.5 §3.5.5]
 // deviation: r is one step of the depth buffer, the least that the specification allows (Mesa: two). Offsets of lines and
 // points are for lines and points alone (Mesa applies them to filled polygons as well), and depths are clamped by fragment.
+#include <cstring>
+
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/shapes.h"
 
@@ -51,6 +53,38 @@ void depths(const GlTable& gl) {
     const float places[3][2] = {{1.3f, 2.4f}, {38.6f, 7.2f}, {17.1f, 39.3f}};
     for (const auto& place : places) gl.Vertex3f(x + place[0], y + place[1], random.range(-0.6f, 0.6f));
     gl.End();
+  }
+}
+
+// The bias of EXT_polygon_offset is in window z. Mesa has left the extension: there, units of the 24 bits say the same.
+void offset_by_bias(const GlTable& gl, float factor, float bias) {
+  const auto* const extensions = reinterpret_cast<const char*>(gl.GetString(GL_EXTENSIONS));
+  if (std::strstr(extensions, "GL_EXT_polygon_offset ") != nullptr) return gl.PolygonOffsetEXT(factor, bias);
+  gl.PolygonOffset(factor, bias * 16777215.0f / 2.0f);
+}
+
+// Cards that lean, from a hundredth towards the eye to a hundredth away.
+void bias(const GlTable& gl) {
+  clear_background(gl);
+  pixel_space(gl, 256, 256);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Enable(GL_POLYGON_OFFSET_EXT);
+  for (int i = 0; i < 16; ++i) {
+    const float x = 64 * static_cast<float>(i % 4), y = 64 * static_cast<float>(i / 4);
+    const auto card = [&](float low, float high) {
+      gl.Begin(GL_QUADS);
+      gl.Vertex3f(x + low, y + low, -0.2f);
+      gl.Vertex3f(x + high, y + low, 0.2f);
+      gl.Vertex3f(x + high, y + high, 0.2f);
+      gl.Vertex3f(x + low, y + high, -0.2f);
+      gl.End();
+    };
+    gl.PolygonOffset(0, 0);
+    gl.Color3f(0.3f, 0.3f, 0.7f);
+    card(4.3f, 59.6f);
+    offset_by_bias(gl, static_cast<float>(i % 3 - 1), 0.01f * (static_cast<float>(i) / 7.5f - 1.0f));
+    gl.Color3f(0.9f, 0.7f, 0.2f);
+    card(14.2f, 48.9f);
   }
 }
 
@@ -105,6 +139,7 @@ SceneList polygon_offset_scenes() {
       {.name = "polygon_offset_fill_away", .section = section, .shows = "A coloured ring: what was drawn again lies behind it.", .judge = judge, .draw = fill_away},
       {.name = "polygon_offset_other_mode", .section = section, .shows = "A white ring: the offset of lines does not move what is filled.", .judge = judge, .draw = other_mode},
       {.name = "polygon_offset_depths", .section = section, .shows = "Triangles of all slopes, whose depths are judged.", .judge = judge, .draw = depths},
+      {.name = "polygon_offset_bias", .section = section, .shows = "Leaning cards, each with a smaller one before or behind it.", .judge = judge, .draw = bias},
       {.name = "polygon_offset_clamped", .section = section, .shows = "Two triangles whose depths reach 0 and 1.", .judge = judge, .width_px = 256, .height_px = 128, .draw = clamped},
       {.name = "polygon_offset_absurd", .section = section, .shows = "Four triangles at the ends of the depth range.", .judge = judge, .width_px = 128, .height_px = 128, .draw = absurd},
   };

@@ -166,11 +166,12 @@ struct LineState {
 };
 
 /// [GL1.5 §3.5.3, §3.5.5] of filled polygons, and of those drawn as lines and points. Offsets are absent (initial) if
-/// there is no depth, if no face is drawn in a mode that is offset, or if both terms are 0.
+/// there is no depth, if no face is drawn in a mode that is offset, or if all terms are 0.
 struct PolygonState {
   bool smooth = false;  ///< polygons that are filled; false where multisampled
   bool offset_fill = false, offset_line = false, offset_point = false;
   float offset_factor = 0.0f, offset_units = 0.0f;
+  float offset_bias = 0.0f;  ///< in window z, whatever the buffer's step
   bool operator==(const PolygonState&) const = default;
 };
 

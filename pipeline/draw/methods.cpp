@@ -254,6 +254,7 @@ void reverse_depth(DrawState& state) {
   }
   state.polygons.offset_factor = -state.polygons.offset_factor;
   state.polygons.offset_units = -state.polygons.offset_units;
+  state.polygons.offset_bias = -state.polygons.offset_bias;
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ double depth_offset(const SetupState& state, const ProcessedVertices& vertices, 
 /// whole range of depths.
 /// choice: m is the larger of both slopes (eq 3.8). r is two steps of an integer buffer, as Mesa's (MESA-RULES 4.4): one
 /// would keep depths apart, but programs have tuned their units to two. Of a floating-point buffer it is two steps at the
-/// largest depth of the polygon.
+/// largest depth of the polygon. The bias of EXT_polygon_offset is a part of the range of depths, not of its steps.
 inline constexpr double offset_unit = 2.0;
 double depth_offset(const PolygonState& state, const PlaneTargets& targets, double dx, double dy, double largest_depth);
 

@@ -195,9 +195,10 @@ namespace gouraud::pipeline {
 double depth_offset(const PolygonState& state, const PlaneTargets& targets, double dx, double dy, double largest_depth) {
   // A float in [0, 1] has 24 bits: a step at z is 2^-23 of the power of two below.
   const double step = targets.depth_is_float ? std::ldexp(1.0, std::ilogb(std::max(largest_depth, 0x1p-125)) - 23) : 1.0;
-  const double offset = state.offset_factor * std::max(std::abs(dx), std::abs(dy)) + state.offset_units * (offset_unit * step);
-  // Written so that what is no number moves nothing.
   const double most = targets.depth_scale;
+  const double offset = state.offset_factor * std::max(std::abs(dx), std::abs(dy)) + state.offset_units * (offset_unit * step) +
+                        state.offset_bias * most;
+  // Written so that what is no number moves nothing.
   return offset > 0 ? std::min(offset, most) : offset < 0 ? std::max(offset, -most) : 0.0;
 }
 
