@@ -1,6 +1,8 @@
 // Rows of [GL1.5 Tables 6.28 to 6.32]: implementation-dependent values, and what the target is made of.
 #include "api/commands/state_rows.h"
 
+#include <algorithm>
+
 #include "extension_names.h"
 
 namespace gouraud::api {
@@ -25,7 +27,9 @@ template <int channel>
 void read_color_bits(const Context& c, StateValue& v) {
   const pipeline::Framebuffer* const target = c.target();  // its bits, whatever the draw buffer is
   const bool exists = target != nullptr && (target->color_channels >> channel & 1) != 0;
-  set(v, exists ? pipeline::bytes_per_pixel(target->color_format) * 2 : 0);
+  const int bits = exists ? pipeline::bytes_per_pixel(target->color_format) * 2 : 0;
+  const bool is_window = c.framebuffers.draw->is_window();
+  set(v, is_window ? std::min<int>(bits, c.config().most_color_bits[channel]) : bits);
 }
 
 void read_depth_bits(const Context& c, StateValue& v) {

@@ -147,7 +147,8 @@ bool Context::set_window_size(int width_px, int height_px, pipeline::ColorFormat
   flush_vertices();
   try {
     install_window(std::make_unique<pipeline::Framebuffer>(width_px, height_px, color_format, window_depth_format(),
-                                                           config_.stencil_bits > 0 ? 8 : 0, config_.accum_bits > 0));
+                                                           config_.stencil_bits > 0 ? 8 : 0, config_.accum_bits > 0,
+                                                           config_.most_color_bits[3] > 0));
   } catch (const std::bad_alloc&) {
     return false;
   }

@@ -53,6 +53,8 @@ void make_current(Context* context);
 
 struct ContextConfig {
   int depth_bits = 24, stencil_bits = 8, accum_bits = 0;
+  /// Bits of R, G, B, A that the window's colours have, where they are fewer than they are stored with; alpha: 0 or not.
+  std::array<std::uint8_t, 4> most_color_bits = {32, 32, 32, 32};
 };
 
 /// The depth buffer that a request for so many bits gets; as Mesa, 16 bits with stencil become 24, but 32 bits are

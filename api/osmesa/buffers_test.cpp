@@ -2,6 +2,7 @@
 //
 // Pictures are painted with scissored clears alone.
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -70,29 +71,6 @@ TEST_P(Buffer, HasItsWordsAndFloatsInTheOrderRgba) {
     expect_order<float>(driver, format, GL_FLOAT, {0, 1, 2, 3});
   }
   expect_order<float>(driver, OSMESA_RGB, GL_FLOAT, {0, 1, 2});
-}
-
-// Of what is drawn; a clear of Mesa's rounds to five and six bits at once.
-TEST_P(Buffer, Of565IsCutOffAfterRoundingToEightBits) {
-  const OwnedContext context = make_context(driver, OSMESA_RGB_565);
-  std::vector<std::uint16_t> picture(width * height);
-  ASSERT_TRUE(bind(context, picture.data(), GL_UNSIGNED_SHORT_5_6_5));
-  const auto word_of = [&](int r, int g, int b) {
-    gl.Color3ub(static_cast<GLubyte>(r), static_cast<GLubyte>(g), static_cast<GLubyte>(b));
-    gl.Begin(GL_QUADS);
-    for (const auto [x, y] : {std::array{-1, -1}, std::array{1, -1}, std::array{1, 1}, std::array{-1, 1}}) {
-      gl.Vertex2i(x, y);
-    }
-    gl.End();
-    gl.Finish();
-    return picture[0];
-  };
-  EXPECT_EQ(word_of(255, 0, 0), 0xF800);
-  EXPECT_EQ(word_of(0, 255, 0), 0x07E0);
-  EXPECT_EQ(word_of(0, 0, 255), 0x001F);
-  EXPECT_EQ(word_of(7, 3, 7), 0);
-  EXPECT_EQ(word_of(8, 4, 8), 0x0821);
-  EXPECT_EQ(word_of(247, 251, 247), (30 << 11) + (62 << 5) + 30);
 }
 
 TEST_P(Buffer, OfBytesHoldsTheNearestByte) {
@@ -379,7 +357,80 @@ TEST_P(DepthBuffer, ChangingAloneCopiesTheColorsToo) {
 
 GOURAUD_ON_BOTH_DRIVERS(DepthBuffer);
 
+template <class Word>
+void expect_opaque(const Driver& driver, GLenum format, GLenum type) {
+  const OwnedContext context = make_context(driver, format);
+  const GlTable& gl = driver.gl;
+  std::array<Word, 4> buffer{};
+  ASSERT_TRUE(driver.MakeCurrent(context.get(), buffer.data(), type, 1, 1));
+  const auto alpha = [&] {
+    GLfloat rgba[4] = {};
+    gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, rgba);
+    return rgba[3];
+  };
+  EXPECT_EQ(alpha(), 1.0f);
+  gl.ClearColor(0, 0, 0, 0);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  EXPECT_EQ(alpha(), 1.0f);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_DST_ALPHA, GL_ZERO);
+  gl.Color4f(1, 1, 1, 0.25f);
+  gl.Rectf(-1, -1, 1, 1);
+  gl.Rectf(-1, -1, 1, 1);
+  GLubyte rgba[4] = {};
+  gl.ReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+  EXPECT_EQ((std::array{rgba[0], rgba[1], rgba[2], rgba[3]}), (std::array<GLubyte, 4>{255, 255, 255, 255}));
+}
+
+// [GL1.5 §4.1.8, §4.3.2]
+TEST_P(Buffer, WithoutAlphaIsOpaque) {
+  expect_opaque<std::uint8_t>(driver, OSMESA_RGB, GL_UNSIGNED_BYTE);
+  expect_opaque<float>(driver, OSMESA_RGB, GL_FLOAT);
+  expect_opaque<std::uint16_t>(driver, OSMESA_RGB_565, GL_UNSIGNED_SHORT_5_6_5);
+}
+
+TEST_P(Buffer, HasTheBitsOfItsFormat) {
+  struct Row {
+    GLenum format, type;
+    std::array<GLint, 4> bits;
+  };
+  for (const Row& row : {Row{OSMESA_RGBA, GL_UNSIGNED_BYTE, {8, 8, 8, 8}}, Row{OSMESA_ARGB, GL_UNSIGNED_SHORT, {16, 16, 16, 16}},
+                         Row{OSMESA_RGB, GL_UNSIGNED_BYTE, {8, 8, 8, 0}}, Row{OSMESA_RGB, GL_FLOAT, {32, 32, 32, 0}},
+                         Row{OSMESA_RGB_565, GL_UNSIGNED_SHORT_5_6_5, {5, 6, 5, 0}}}) {
+    const OwnedContext context = make_context(driver, row.format);
+    std::array<float, 4> buffer{};
+    ASSERT_TRUE(driver.MakeCurrent(context.get(), buffer.data(), row.type, 1, 1));
+    std::array<GLint, 4> bits{};
+    const GLenum names[] = {GL_RED_BITS, GL_GREEN_BITS, GL_BLUE_BITS, GL_ALPHA_BITS};
+    for (std::size_t i = 0; i < 4; ++i) gl.GetIntegerv(names[i], &bits[i]);
+    EXPECT_EQ(bits, row.bits) << row.format << ' ' << row.type;
+  }
+}
+
 // Where we differ from Mesa on purpose.
+
+// Of what is drawn and of what is cleared [GL1.5 §2.14.9].
+TEST(OurBuffer, Of565HoldsTheNearestFiveAndSixBits) {
+  const OwnedContext context = make_context(ours(), OSMESA_RGB_565);
+  const GlTable& gl = ours().gl;
+  std::uint16_t pixel = 0;
+  ASSERT_TRUE(ours().MakeCurrent(context.get(), &pixel, GL_UNSIGNED_SHORT_5_6_5, 1, 1));
+  for (int value = 0; value < 256; ++value) {
+    const double level = value / 255.0;
+    const int five = static_cast<int>(std::lround(level * 31)), six = static_cast<int>(std::lround(level * 63));
+    const auto byte = static_cast<GLubyte>(value);
+    gl.Color3ub(byte, byte, byte);
+    gl.Rectf(-1, -1, 1, 1);
+    gl.Finish();
+    EXPECT_EQ(pixel, five << 11 | six << 5 | five) << value;
+    pixel = 0;
+    const auto clear_value = static_cast<float>(level);
+    gl.ClearColor(clear_value, clear_value, clear_value, 0.0f);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.Finish();
+    EXPECT_EQ(pixel, five << 11 | six << 5 | five) << value;
+  }
+}
 
 TEST(OurBuffer, OfRgbWordsAndOfBgrIsFilled) {
   expect_order<std::uint16_t>(ours(), OSMESA_RGB, GL_UNSIGNED_SHORT, {0, 1, 2});

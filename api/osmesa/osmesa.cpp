@@ -32,8 +32,10 @@ void complain(const char* function, const char* what, int value) {
 OSMesaContext create(GLenum format, const ContextConfig& config, OSMesaContext share_with) {
   if (!gouraud::api::is_osmesa_format(format)) return nullptr;
   if (config.depth_bits < 0 || config.stencil_bits < 0 || config.accum_bits < 0) return nullptr;
+  ContextConfig complete = config;
+  complete.most_color_bits = gouraud::api::most_color_bits(format);
   try {
-    return new osmesa_context(format, config, share_with);
+    return new osmesa_context(format, complete, share_with);
   } catch (const std::exception&) {
     return nullptr;
   }

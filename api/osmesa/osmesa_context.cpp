@@ -1,7 +1,8 @@
 // Takes a finished picture, gives it to the program's buffer: the copy-out of OSMesa.
 //
-// choice: contexts of the formats without alpha (OSMESA_RGB, OSMESA_BGR, OSMESA_RGB_565) have alpha planes
-// nevertheless, and say so in GL_ALPHA_BITS; Mesa's have none.
+// Contexts of the formats without alpha (OSMESA_RGB, OSMESA_BGR, OSMESA_RGB_565) have none: it is 1 for blending and
+// reading [GL1.5 §4.1.8, §4.3.2].
+// choice: colours of OSMESA_RGB_565 are kept with 8 bits while they are drawn, and rounded when they are copied out.
 #include "api/osmesa/osmesa_context.h"
 
 #include <cstdint>
@@ -27,6 +28,18 @@ bool is_osmesa_format(GLenum format) {
       return true;
     default:
       return false;
+  }
+}
+
+std::array<std::uint8_t, 4> most_color_bits(GLenum format) {
+  switch (format) {
+    case OSMESA_RGB_565:
+      return {5, 6, 5, 0};
+    case OSMESA_RGB:
+    case OSMESA_BGR:
+      return {32, 32, 32, 0};
+    default:
+      return {32, 32, 32, 32};
   }
 }
 

@@ -1,7 +1,9 @@
 // What an OSMesa context is besides a GL context: the program's buffer, and a linear snapshot of the depth buffer.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -55,6 +57,9 @@ namespace gouraud::api {
 
 /// True for the formats that a context can be created with.
 bool is_osmesa_format(GLenum format);
+
+/// The bits of R, G, B, A that a program's buffer of this format has at most; alpha 0 if it has none.
+std::array<std::uint8_t, 4> most_color_bits(GLenum format);
 
 /// How a buffer of this format and type is filled; empty if the two do not go together.
 std::optional<pipeline::PackedLayout> packed_layout(GLenum format, GLenum type);

@@ -283,6 +283,11 @@ pipeline::ClearState clear_state(const State& state, const TargetInfo& target, G
     result.color = true;
     result.color_write_mask = color_write_mask(state.color_buffer, target);
     result.clear_color = state.color_buffer.clear_color;
+    if (result.color_write_mask == 0b0111 && target.color_channels == 0b0111) {
+      // The alpha that is not there is 1 as before, and nothing is masked.
+      result.color_write_mask = 0b1111;
+      result.clear_color.w = 1.0f;
+    }
   }
   if ((mask & GL_DEPTH_BUFFER_BIT) != 0 && state.depth.write_enabled && target.has_depth &&
       target.format.depth != pipeline::DepthFormat::none) {

@@ -79,6 +79,16 @@ void TiledBuffer::make_readable(int tile_index) const {
   if (waits.load(std::memory_order_relaxed)) carry_out_clear(index);
 }
 
+namespace {
+
+void make_opaque(const Framebuffer& target) {
+  const ClearState opaque{
+      .color = true, .scissor = {0, 0, target.width_px, target.height_px}, .clear_color = {0.0f, 0.0f, 0.0f, 1.0f}};
+  for (int tile = 0; tile < target.tile_count(); ++tile) clear_tile(target, tile, opaque);
+}
+
+}  // namespace
+
 void Surface::allocate(int width, int height, int sample_count) {
   const bool stencil_apart = has_stencil && depth_format != DepthFormat::z24s8;
   Surface fresh = *this;
@@ -90,16 +100,15 @@ void Surface::allocate(int width, int height, int sample_count) {
   fresh.samples = sample_count;
   *this = fresh;
   if ((channels & 0b1000) != 0 || color.empty()) return;
-  const ClearState opaque{.color = true, .scissor = {0, 0, width, height}, .clear_color = {0.0f, 0.0f, 0.0f, 1.0f}};
   for (int sample = 0; sample < samples; ++sample) {
     Framebuffer view(width, height, this, nullptr, nullptr);
     view.color = color.plane(sample);
-    for (int tile = 0; tile < view.tile_count(); ++tile) clear_tile(view, tile, opaque);
+    make_opaque(view);
   }
 }
 
 Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthFormat depth_layout, int stencil_depth,
-                         bool accumulates)
+                         bool accumulates, bool has_alpha)
     : width_px(width),
       height_px(height),
       tiles_x(tiles_across(width)),
@@ -111,7 +120,11 @@ Framebuffer::Framebuffer(int width, int height, ColorFormat color_layout, DepthF
       color(width, height, pipeline::bytes_per_pixel(color_layout)),
       depth(width, height, pipeline::bytes_per_pixel(depth_layout)),
       stencil(width, height, stencil_depth > 0 && depth_layout != DepthFormat::z24s8 ? 1 : 0),
-      accum(width, height, accumulates ? 4 * static_cast<int>(sizeof(float)) : 0) {}
+      accum(width, height, accumulates ? 4 * static_cast<int>(sizeof(float)) : 0) {
+  if (has_alpha || color.empty()) return;
+  color_channels = 0b0111;
+  make_opaque(*this);
+}
 
 Framebuffer::Framebuffer(int width, int height, const Surface* color_surface, const Surface* depth_surface,
                          const Surface* stencil_surface)

@@ -173,6 +173,7 @@ struct Surface {
   ColorFormat color_format = ColorFormat::none;
   /// The channels that the picture has, bit 0 red to bit 3 alpha. The others hold 0, alpha 1, and are never written.
   std::uint8_t channels = 0xF;
+  bool red_is_luminance = false;  ///< or intensity: what R holds is called so
   DepthFormat depth_format = DepthFormat::none;  ///< of `depth`
   bool has_depth = false, has_stencil = false;
   TiledBuffer color, depth, stencil;  ///< `stencil` only where the depth format does not hold it
@@ -187,9 +188,9 @@ struct Surface {
 struct Framebuffer {
   Framebuffer() = default;
   /// A zeroed target of 1..16384 pixels a side; throws std::bad_alloc. `stencil_bits` is 0 or 8; `accumulates` asks for
-  /// an accumulation buffer.
+  /// an accumulation buffer. Without alpha, that is 1 everywhere, and nothing changes it.
   Framebuffer(int width_px, int height_px, ColorFormat color_format, DepthFormat depth_format, int stencil_bits,
-              bool accumulates = false);
+              bool accumulates = false, bool has_alpha = true);
   /// A view of these surfaces (null: none), of a size that none of them is smaller than. Depth and stencil, if both are
   /// there, share a plane or have one each.
   Framebuffer(int width_px, int height_px, const Surface* color, const Surface* depth, const Surface* stencil);

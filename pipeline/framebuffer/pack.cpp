@@ -11,12 +11,14 @@
 namespace gouraud::pipeline {
 namespace {
 
-// The low bits are cut off, not rounded away (MESA-RULES 4.2).
+// Colours become the nearest of 5 and 6 bits [GL1.5 §2.14.9].
+// deviation: so do Mesa's clears and softpipe; llvmpipe's draws cut the low bits off (MESA-RULES 4.2).
 void pack_rgb565(const std::byte* in, std::size_t count, std::byte* out) {
+  const auto nearest = [](std::uint8_t value, unsigned most) { return (value * most + 127) / 255; };
   for (std::size_t i = 0; i < count; ++i) {
     std::uint8_t rgba[4];
     std::memcpy(rgba, in + i * sizeof rgba, sizeof rgba);
-    const auto word = static_cast<std::uint16_t>((rgba[0] & 0xF8) << 8 | (rgba[1] & 0xFC) << 3 | rgba[2] >> 3);
+    const auto word = static_cast<std::uint16_t>(nearest(rgba[0], 31) << 11 | nearest(rgba[1], 63) << 5 | nearest(rgba[2], 31));
     std::memcpy(out + i * sizeof word, &word, sizeof word);
   }
 }

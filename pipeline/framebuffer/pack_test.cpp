@@ -1,6 +1,7 @@
 #include "pipeline/framebuffer/pack.h"
 
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -81,16 +82,17 @@ TEST_P(PackedColor, HasItsChannelsInTheOrderOfItsName) {
 INSTANTIATE_TEST_SUITE_P(Origins, PackedColor,
                          ::testing::Values(std::array{0, 0}, std::array{3, 5}, std::array{8, 8}, std::array{28, 10}));
 
-TEST(PackedColor565, CutsTheLowBitsOff) {
+TEST(PackedColor565, HoldsTheNearest) {
   const Framebuffer target = filled<std::uint8_t>(ColorFormat::rgba8);
   std::vector<std::uint16_t> out(width * height);
+  const auto nearest = [](int value, int most) { return static_cast<int>(std::lround(value * most / 255.0)); };
   pack_color_rows(target, PackedLayout::rgb565, 0, 0, width, height, reinterpret_cast<std::byte*>(out.data()),
                   width * 2);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const int red = value_of<std::uint8_t>(x, y, 0), green = value_of<std::uint8_t>(x, y, 1),
                 blue = value_of<std::uint8_t>(x, y, 2);
-      ASSERT_EQ(out[static_cast<std::size_t>(y * width + x)], (red >> 3) * 2048 + (green >> 2) * 32 + (blue >> 3));
+      ASSERT_EQ(out[static_cast<std::size_t>(y * width + x)], nearest(red, 31) * 2048 + nearest(green, 63) * 32 + nearest(blue, 31));
     }
   }
 }
