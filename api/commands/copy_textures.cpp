@@ -48,7 +48,10 @@ void copy_bytes(const Framebuffer& source, const Copy& copy, const Image& image)
   if (image.base_format != pipeline::BaseFormat::rgb) return;
   for (int y = 0; y < copy.height; ++y) {
     std::byte* const row = first + y * stride;
-    for (std::ptrdiff_t i = 0; i < copy.width; ++i) row[4 * i + 3] = std::byte{255};
+    for (std::ptrdiff_t i = 0; i < copy.width; ++i) {
+      for (std::ptrdiff_t color = image.colors; color < 3; ++color) row[4 * i + color] = std::byte{0};
+      row[4 * i + 3] = std::byte{255};
+    }
   }
 }
 

@@ -46,6 +46,11 @@ TEST(CopyTexture, TakesColorsOfTheFramebuffer) {
   EXPECT_EQ(texels(GL_TEXTURE_2D, GL_RGBA, 16), (Bytes{3, 5, 255, 128, 4, 5, 255, 128, 3, 6, 255, 128, 4, 6, 255, 128}));
   EXPECT_GL(GL_NO_ERROR, glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 3, 5, 1, 1, 0));
   EXPECT_EQ(texels(GL_TEXTURE_2D, GL_RGBA, 4), (Bytes{3, 5, 255, 255}));
+  EXPECT_GL(GL_NO_ERROR, glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RED, 3, 5, 1, 1, 0));
+  EXPECT_EQ(texels(GL_TEXTURE_2D, GL_RGBA, 4), (Bytes{3, 0, 0, 255}));
+  EXPECT_GL(GL_NO_ERROR, glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RG16, 3, 5, 1, 1, 0));
+  EXPECT_EQ(texels(GL_TEXTURE_2D, GL_RGBA, 4), (Bytes{3, 5, 0, 255}));
+  EXPECT_GL(GL_NO_ERROR, glCopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 3, 5, 1, 1, 0));
   EXPECT_GL(GL_NO_ERROR, glCopyTexImage1D(GL_TEXTURE_1D, 0, GL_LUMINANCE_ALPHA, 7, 9, 2, 0));
   EXPECT_EQ(texels(GL_TEXTURE_1D, GL_LUMINANCE_ALPHA, 4), (Bytes{7, 128, 8, 128}));
   EXPECT_GL(GL_NO_ERROR, glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 20, 21, 1, 1));

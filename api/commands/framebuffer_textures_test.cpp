@@ -185,6 +185,8 @@ TEST(FramebufferTextures, FloatDepthWithStencil) {
   glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH32F_STENCIL8, 8, 8, 0, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV, given.data());
   framebuffer();
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, name, 0);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
   EXPECT_EQ(status(), GL_FRAMEBUFFER_COMPLETE);
   std::uint8_t stencil = 0;
   glReadPixels(1, 1, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &stencil);
@@ -238,7 +240,7 @@ TEST(FramebufferTextures, ANewImageTakesTheOldOnesPlace) {
   EXPECT_EQ(status(), GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT);
 }
 
-TEST(FramebufferTextures, LuminanceAlphaAndIntensityAreDrawnAndSampled) {
+TEST(FramebufferTextures, OfFewChannelsAreDrawnAndSampled) {
   const Screen screen;
   const struct {
     GLenum internal_format;
@@ -247,7 +249,8 @@ TEST(FramebufferTextures, LuminanceAlphaAndIntensityAreDrawnAndSampled) {
   } cases[] = {{GL_LUMINANCE8, {204, 0, 0, 255}, {204, 204, 204, 153}},   {GL_ALPHA8, {0, 0, 0, 153}, {0, 51, 102, 153}},
                {GL_LUMINANCE8_ALPHA8, {204, 0, 0, 153}, {204, 204, 204, 153}}, {GL_INTENSITY8, {204, 0, 0, 255}, {204, 204, 204, 204}},
                {GL_LUMINANCE16, {204, 0, 0, 255}, {204, 204, 204, 153}},  {GL_ALPHA16, {0, 0, 0, 153}, {0, 51, 102, 153}},
-               {GL_LUMINANCE16_ALPHA16, {204, 0, 0, 153}, {204, 204, 204, 153}}, {GL_INTENSITY16, {204, 0, 0, 255}, {204, 204, 204, 204}}};
+               {GL_LUMINANCE16_ALPHA16, {204, 0, 0, 153}, {204, 204, 204, 153}}, {GL_INTENSITY16, {204, 0, 0, 255}, {204, 204, 204, 204}},
+               {GL_RED, {204, 0, 0, 255}, {204, 0, 0, 153}}, {GL_RG16, {204, 102, 0, 255}, {204, 102, 0, 153}}};
   const auto pixel = [] {
     std::array<GLubyte, 4> bytes{};
     glReadPixels(1, 1, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, bytes.data());

@@ -83,6 +83,7 @@ pipeline::Image make_image(const ImageRequest& request, const StoredFormat& form
   pipeline::Image image;
   image.format = format.texels;
   image.base_format = format.base;
+  image.colors = format.colors;
   image.srgb = format.srgb;
   image.has_stencil = format.stencil;
   image.width = request.width;

@@ -21,6 +21,7 @@ constexpr FormatRow format_rows[] = {
     {GL_GREEN, PixelKind::color, 1, {1}},
     {GL_BLUE, PixelKind::color, 1, {2}},
     {GL_ALPHA, PixelKind::color, 1, {3}},
+    {GL_RG, PixelKind::color, 2, {0, 1}},
     {GL_RGB, PixelKind::color, 3, {0, 1, 2}},
     {GL_RGBA, PixelKind::color, 4, {0, 1, 2, 3}},
     {GL_BGR, PixelKind::color, 3, {2, 1, 0}},

@@ -63,7 +63,7 @@ TEST_P(ReadPixels, GivesTheElementsOfEveryFormatInOrder) {
     Bytes elements;
   };
   for (const Row& row : {Row{GL_RGBA, {10, 20, 30, 40}}, Row{GL_BGRA, {30, 20, 10, 40}}, Row{GL_RGB, {10, 20, 30}},
-                         Row{GL_BGR, {30, 20, 10}}, Row{GL_RED, {10}}, Row{GL_GREEN, {20}}, Row{GL_BLUE, {30}},
+                         Row{GL_BGR, {30, 20, 10}}, Row{GL_RED, {10}}, Row{GL_RG, {10, 20}}, Row{GL_GREEN, {20}}, Row{GL_BLUE, {30}},
                          Row{GL_ALPHA, {40}}, Row{GL_LUMINANCE, {60}}, Row{GL_LUMINANCE_ALPHA, {60, 40}}}) {
     Bytes expected = row.elements;
     expected.push_back(0xEE);

@@ -86,9 +86,10 @@ inline void call(const CommandRow& row, const std::vector<CommandArgument>& argu
 }
 
 inline std::string text_of(const CommandRow& row, const std::vector<CommandArgument>& arguments) {
+  const std::string_view kinds = row.parameters;  // behind them is what a pointer leads to
   std::string text = row.name;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    text += (row.parameters[i] == 'p' ? " *" : " ") + std::to_string(arguments[i].number);
+    text += (i < kinds.size() && kinds[i] == 'p' ? " *" : " ") + std::to_string(arguments[i].number);
   }
   return text;
 }

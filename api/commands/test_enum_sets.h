@@ -82,7 +82,7 @@ inline const Enums packed_types = {GL_UNSIGNED_BYTE_2_3_3_REV,     GL_UNSIGNED_S
                                    GL_UNSIGNED_SHORT_1_5_5_5_REV,  GL_UNSIGNED_INT_8_8_8_8_REV,
                                    GL_UNSIGNED_INT_2_10_10_10_REV, GL_UNSIGNED_INT_24_8_EXT,
                                    GL_FLOAT_32_UNSIGNED_INT_24_8_REV};
-inline const Enums not_formats = {GL_UNSIGNED_SHORT, GL_UNSIGNED_INT};
+inline const Enums not_formats = {GL_UNSIGNED_SHORT, GL_UNSIGNED_INT, GL_RG_INTEGER};
 inline const Enums sizes_of_images = {
     GL_TEXTURE_WIDTH,      GL_TEXTURE_HEIGHT,     GL_TEXTURE_DEPTH,      GL_TEXTURE_INTERNAL_FORMAT,
     GL_TEXTURE_BORDER,     GL_TEXTURE_RED_SIZE,   GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE,
@@ -104,8 +104,13 @@ inline const Enums plain_formats = {GL_ALPHA,
                                     GL_COMPRESSED_SRGB_ALPHA_EXT,
                                     GL_COMPRESSED_SLUMINANCE_EXT,
                                     GL_COMPRESSED_SLUMINANCE_ALPHA_EXT};
-inline const Enums no_texture_formats = {GL_STENCIL_INDEX,      GL_RED, GL_STENCIL_INDEX1_EXT, GL_STENCIL_INDEX4_EXT,
-                                         GL_STENCIL_INDEX8_EXT, GL_STENCIL_INDEX16_EXT};
+// [ARB_texture_rg]: floats are of ARB_texture_float, integers of EXT_texture_integer, and we have neither.
+inline const Enums no_texture_formats = {
+    GL_STENCIL_INDEX, GL_STENCIL_INDEX1_EXT, GL_STENCIL_INDEX4_EXT, GL_STENCIL_INDEX8_EXT, GL_STENCIL_INDEX16_EXT,
+    GL_R16F,          GL_R32F,               GL_RG16F,              GL_RG32F,              GL_R8I,
+    GL_R8UI,          GL_R16I,               GL_R16UI,              GL_R32I,               GL_R32UI,
+    GL_RG8I,          GL_RG8UI,              GL_RG16I,              GL_RG16UI,             GL_RG32I,
+    GL_RG32UI};
 inline const Enums s3tc = {GL_COMPRESSED_RGB_S3TC_DXT1_EXT,        GL_COMPRESSED_RGBA_S3TC_DXT1_EXT,
                            GL_COMPRESSED_RGBA_S3TC_DXT3_EXT,       GL_COMPRESSED_RGBA_S3TC_DXT5_EXT,
                            GL_COMPRESSED_SRGB_S3TC_DXT1_EXT,       GL_COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT,
@@ -323,7 +328,8 @@ inline const std::vector<EnumSet> enum_sets = [] {
       {"MultiTexCoord", "target", nothing, range(GL_TEXTURE0, GL_TEXTURE7), {}, {}},
       // [GL1.5 §6.2]: what gl.xml has no group for.
       {"GetBooleanv GetIntegerv GetInteger64v GetFloatv GetDoublev", "pname", group, more_state, {}, {}},
-      // [GL1.5 §4.1.8]
+      // [GL1.5 §4.1.8] [EXT_blend_logic_op]
+      {"BlendEquation", "mode", group, {GL_LOGIC_OP}, {}, {}},
       {"BlendFunc", "sfactor", group, {}, {GL_SRC1_ALPHA}, {}},
       {"BlendFunc", "dfactor", group, {}, {GL_SRC1_ALPHA, GL_SRC_ALPHA_SATURATE}, {}},
       {"BlendFuncSeparate", "sfactorRGB", group, {}, {GL_SRC1_ALPHA}, {}},

@@ -3,13 +3,22 @@
 namespace gouraud::api {
 namespace {
 
+constexpr GLenum compressed_red = 0x8225, compressed_rg = 0x8226;  // of ARB_texture_rg; gl.xml lacks them there
+
 using pipeline::BaseFormat;
 using pipeline::S3tcFormat;
 using pipeline::TexelFormat;
 
 std::optional<StoredFormat> plain(TexelFormat texels, BaseFormat base) { return StoredFormat{texels, base}; }
 
-std::optional<StoredFormat> srgb(TexelFormat texels, BaseFormat base) { return StoredFormat{texels, base, true}; }
+std::optional<StoredFormat> srgb(TexelFormat texels, BaseFormat base) {
+  return StoredFormat{.texels = texels, .base = base, .srgb = true};
+}
+
+/// [ARB_texture_rg]: R, or R and G; the environment sees R, G, B.
+std::optional<StoredFormat> few_colors(TexelFormat texels, std::uint8_t colors, bool is_generic = false) {
+  return StoredFormat{.texels = texels, .base = BaseFormat::rgb, .colors = colors, .generic_compressed = is_generic};
+}
 
 std::optional<StoredFormat> generic(TexelFormat texels, BaseFormat base, bool is_srgb = false) {
   return StoredFormat{.texels = texels, .base = base, .srgb = is_srgb, .generic_compressed = true};
@@ -71,6 +80,12 @@ std::optional<StoredFormat> find_color_format(GLenum internal_format) {
     case GL_RGB10_A2:
     case GL_RGBA12:
     case GL_RGBA16: return plain(rgba16, rgba);
+    case GL_RED:
+    case GL_R8: return few_colors(rgba8, 1);
+    case GL_R16: return few_colors(rgba16, 1);
+    case GL_RG:
+    case GL_RG8: return few_colors(rgba8, 2);
+    case GL_RG16: return few_colors(rgba16, 2);
     default: return std::nullopt;
   }
 }
@@ -101,6 +116,8 @@ std::optional<StoredFormat> find_special_format(GLenum internal_format) {
     case GL_COMPRESSED_LUMINANCE: return generic(r8, luminance);
     case GL_COMPRESSED_LUMINANCE_ALPHA: return generic(rg8, luminance_alpha);
     case GL_COMPRESSED_INTENSITY: return generic(r8, intensity);
+    case compressed_red: return few_colors(rgba8, 1, true);
+    case compressed_rg: return few_colors(rgba8, 2, true);
     case GL_COMPRESSED_RGB: return generic(rgba8, rgb);
     case GL_COMPRESSED_RGBA: return generic(rgba8, rgba);
     case GL_COMPRESSED_SRGB_EXT: return generic(rgba8, rgb, true);
@@ -148,6 +165,8 @@ GLenum stored_name(GLenum internal_format) {
     case GL_COMPRESSED_LUMINANCE: return GL_LUMINANCE;
     case GL_COMPRESSED_LUMINANCE_ALPHA: return GL_LUMINANCE_ALPHA;
     case GL_COMPRESSED_INTENSITY: return GL_INTENSITY;
+    case compressed_red: return GL_RED;
+    case compressed_rg: return GL_RG;
     case GL_COMPRESSED_RGB: return GL_RGB;
     case GL_COMPRESSED_RGBA: return GL_RGBA;
     case GL_COMPRESSED_SRGB_EXT: return GL_SRGB_EXT;
@@ -172,7 +191,9 @@ ComponentBits component_bits(const StoredFormat& format) {
       bits.alpha = format.blocks == S3tcFormat::dxt1_rgba ? 1 : format.blocks == S3tcFormat::dxt3 ? 4 : size;
       [[fallthrough]];
     case BaseFormat::rgb:
-      bits.red = bits.green = bits.blue = size;
+      bits.red = size;
+      bits.green = format.colors > 1 ? size : 0;
+      bits.blue = format.colors > 2 ? size : 0;
       break;
     case BaseFormat::luminance_alpha:
       bits.alpha = size;

@@ -1,5 +1,5 @@
 // How an image of a given internal format is stored [GL1.5 §3.8.1, Tables 3.15 to 3.18], with EXT_texture_sRGB,
-// EXT_texture_compression_s3tc, EXT_packed_depth_stencil and ARB_depth_buffer_float.
+// ARB_texture_rg, EXT_texture_compression_s3tc, EXT_packed_depth_stencil and ARB_depth_buffer_float.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@ namespace gouraud::api {
 struct StoredFormat {
   pipeline::TexelFormat texels = pipeline::TexelFormat::none;
   pipeline::BaseFormat base = pipeline::BaseFormat::rgba;
+  std::uint8_t colors = 3;  ///< of rgb: as pipeline::Image has it
   bool srgb = false;
   bool stencil = false;  ///< DEPTH_STENCIL: the base internal format holds both
   std::optional<pipeline::S3tcFormat> blocks{};  ///< what an image is kept as besides its decoded texels
@@ -26,7 +27,7 @@ struct StoredFormat {
 
 /// The stored format; none for what is no internal format.
 /// choice: channels of up to 8 bits take 8, those of more take 16; depth of up to 16 bits takes 16, of more 24; generic
-/// compressed formats are stored uncompressed.
+/// compressed formats are stored uncompressed; one or two colours take the room of three, which sampling knows.
 std::optional<StoredFormat> find_stored_format(GLint internal_format);
 
 /// What the internal format of an image is called once it is stored: the base internal format in place of a generic

@@ -46,7 +46,10 @@ std::optional<TexelBytes> texel_bytes(const ByteOrder& rgba, const Image& image)
     case BaseFormat::luminance:
     case BaseFormat::intensity: return TexelBytes{{{rgba.source[0]}}, 1};
     case BaseFormat::luminance_alpha: return TexelBytes{{{rgba.source[0], rgba.source[3]}}, 2};
-    case BaseFormat::rgb: return TexelBytes{{{rgba.source[0], rgba.source[1], rgba.source[2], ByteOrder::full}}, 4};
+    case BaseFormat::rgb: {
+      const auto kept = [&](std::size_t color) { return color < image.colors ? rgba.source[color] : ByteOrder::zero; };
+      return TexelBytes{{{rgba.source[0], kept(1), kept(2), ByteOrder::full}}, 4};
+    }
     case BaseFormat::rgba: return TexelBytes{rgba, 4};
     case BaseFormat::depth: break;
   }

@@ -61,7 +61,8 @@ TEST(TexImage, BytesComeBackAsTheyWent) {
                         Case{GL_RGBA16, GL_RGBA, 4}, Case{GL_RGB12, GL_RGB, 3}, Case{GL_LUMINANCE16, GL_LUMINANCE, 1},
                         Case{GL_LUMINANCE16_ALPHA16, GL_LUMINANCE_ALPHA, 2}, Case{GL_ALPHA12, GL_ALPHA, 1},
                         Case{GL_SRGB8_ALPHA8_EXT, GL_RGBA, 4}, Case{GL_SLUMINANCE_EXT, GL_LUMINANCE, 1},
-                        Case{GL_COMPRESSED_RGBA, GL_RGBA, 4}}) {
+                        Case{GL_COMPRESSED_RGBA, GL_RGBA, 4}, Case{GL_RG, GL_RG, 2}, Case{GL_RG16, GL_RG, 2},
+                        Case{GL_R8, GL_RED, 1}, Case{GL_RGBA8, GL_RG, 2}}) {
     const Bytes bytes = numbered(37 * 5 * c.bytes);
     EXPECT_GL(GL_NO_ERROR, tex_image(37, 5, c.internal_format, c.format, bytes));
     EXPECT_EQ(texels(GL_TEXTURE_2D, c.format, bytes.size()), bytes) << c.internal_format;
@@ -77,7 +78,8 @@ TEST(TexImage, ComponentsAreThoseOfTheBaseFormat) {
   };
   for (const Case& c : {Case{GL_ALPHA, {0, 0, 0, 40}}, Case{GL_LUMINANCE, {10, 0, 0, 255}}, Case{GL_INTENSITY, {10, 0, 0, 255}},
                         Case{GL_LUMINANCE_ALPHA, {10, 0, 0, 40}}, Case{GL_RGB, {10, 20, 30, 255}},
-                        Case{GL_RGBA, pixel}, Case{GL_INTENSITY16, {10, 0, 0, 255}}}) {
+                        Case{GL_RGBA, pixel}, Case{GL_INTENSITY16, {10, 0, 0, 255}}, Case{GL_RED, {10, 0, 0, 255}},
+                        Case{GL_R16, {10, 0, 0, 255}}, Case{GL_RG, {10, 20, 0, 255}}, Case{GL_RG16, {10, 20, 0, 255}}}) {
     tex_image(1, 1, c.internal_format, GL_RGBA, pixel);
     EXPECT_EQ(texels(GL_TEXTURE_2D, GL_RGBA, 4), c.rgba) << c.internal_format;
   }
@@ -91,6 +93,15 @@ TEST(TexImage, StoredSizesAreTold) {
   EXPECT_EQ(level_parameter(GL_TEXTURE_RED_SIZE), 8);
   EXPECT_EQ(level_parameter(GL_TEXTURE_ALPHA_SIZE), 0);
   EXPECT_EQ(level_parameter(GL_TEXTURE_COMPRESSED), GL_FALSE);
+  tex_image(1, 1, GL_RG, GL_RGBA, {1, 2, 3, 4});
+  EXPECT_EQ(level_parameter(GL_TEXTURE_RED_SIZE), 8);
+  EXPECT_EQ(level_parameter(GL_TEXTURE_GREEN_SIZE), 8);
+  EXPECT_EQ(level_parameter(GL_TEXTURE_BLUE_SIZE), 0);
+  constexpr GLint compressed_red = 0x8225;
+  tex_image(1, 1, compressed_red, GL_RGBA, {1, 2, 3, 4});
+  EXPECT_EQ(level_parameter(GL_TEXTURE_INTERNAL_FORMAT), GL_RED);
+  EXPECT_EQ(level_parameter(GL_TEXTURE_RED_SIZE), 8);
+  EXPECT_EQ(level_parameter(GL_TEXTURE_GREEN_SIZE), 0);
   tex_image(1, 1, GL_LUMINANCE12_ALPHA4, GL_RGBA, {1, 2, 3, 4});
   EXPECT_EQ(level_parameter(GL_TEXTURE_LUMINANCE_SIZE), 16);
   EXPECT_EQ(level_parameter(GL_TEXTURE_ALPHA_SIZE), 16);

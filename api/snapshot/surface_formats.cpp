@@ -11,12 +11,18 @@ using pipeline::DepthFormat;
 using pipeline::Surface;
 
 constexpr GLenum rgb565 = 0x8D62;  // of ARB_ES2_compatibility, which our headers lack
-constexpr std::uint8_t rgba = 0b1111, rgb = 0b0111, red_alpha = 0b1001, red = 0b0001, alpha = 0b1000;
+constexpr std::uint8_t rgba = 0b1111, rgb = 0b0111, red_green = 0b0011, red_alpha = 0b1001, red = 0b0001, alpha = 0b1000;
 
 Surface color(ColorFormat format, std::uint8_t channels) {
   Surface surface;
   surface.color_format = format;
   surface.channels = channels;
+  return surface;
+}
+
+Surface luminance(ColorFormat format, std::uint8_t channels) {
+  Surface surface = color(format, channels);
+  surface.red_is_luminance = true;
   return surface;
 }
 
@@ -58,6 +64,16 @@ std::optional<Surface> surface_of_format(GLenum internal_format) {
     case GL_RGB12:
     case GL_RGB16:
       return color(ColorFormat::rgba16, rgb);
+    case GL_RED:
+    case GL_R8:
+      return color(ColorFormat::rgba8, red);
+    case GL_R16:
+      return color(ColorFormat::rgba16, red);
+    case GL_RG:
+    case GL_RG8:
+      return color(ColorFormat::rgba8, red_green);
+    case GL_RG16:
+      return color(ColorFormat::rgba16, red_green);
     case GL_ALPHA:
     case GL_ALPHA4:
     case GL_ALPHA8:
@@ -71,21 +87,21 @@ std::optional<Surface> surface_of_format(GLenum internal_format) {
     case GL_INTENSITY:
     case GL_INTENSITY4:
     case GL_INTENSITY8:
-      return color(ColorFormat::rgba8, red);
+      return luminance(ColorFormat::rgba8, red);
     case GL_LUMINANCE12:
     case GL_LUMINANCE16:
     case GL_INTENSITY12:
     case GL_INTENSITY16:
-      return color(ColorFormat::rgba16, red);
+      return luminance(ColorFormat::rgba16, red);
     case GL_LUMINANCE_ALPHA:
     case GL_LUMINANCE4_ALPHA4:
     case GL_LUMINANCE6_ALPHA2:
     case GL_LUMINANCE8_ALPHA8:
-      return color(ColorFormat::rgba8, red_alpha);
+      return luminance(ColorFormat::rgba8, red_alpha);
     case GL_LUMINANCE12_ALPHA4:
     case GL_LUMINANCE12_ALPHA12:
     case GL_LUMINANCE16_ALPHA16:
-      return color(ColorFormat::rgba16, red_alpha);
+      return luminance(ColorFormat::rgba16, red_alpha);
     case GL_DEPTH_COMPONENT16:
       return depth(DepthFormat::z16, true, false);
     case GL_DEPTH_COMPONENT:
@@ -114,8 +130,7 @@ ComponentBits component_bits(const Surface& surface) {
   ComponentBits bits;
   const GLint channel = bytes_per_pixel(surface.color_format) * 2;
   const auto has = [&](int k) { return (surface.channels >> k & 1) != 0 ? channel : 0; };
-  const bool luminance = (surface.channels & rgb) == red;
-  bits.red = luminance ? 0 : has(0);
+  bits.red = surface.red_is_luminance ? 0 : has(0);
   bits.green = has(1);
   bits.blue = has(2);
   bits.alpha = has(3);

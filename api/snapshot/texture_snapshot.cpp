@@ -65,14 +65,14 @@ bool reaches_border(const SamplerState& sampler, int dimensions) {
 }
 
 /// The channels of the border colour that a texture of this kind has; others are 0 [GL1.5 §3.8.8].
-glm::vec4 border_color(const glm::vec4& color, BaseFormat format) {
-  switch (format) {
+glm::vec4 border_color(const glm::vec4& color, const pipeline::Image& image) {
+  switch (image.base_format) {
     case BaseFormat::alpha: return {0.0f, 0.0f, 0.0f, color.w};
     case BaseFormat::luminance_alpha: return {color.x, 0.0f, 0.0f, color.w};
     case BaseFormat::luminance:
     case BaseFormat::intensity:
     case BaseFormat::depth: return {color.x, 0.0f, 0.0f, 0.0f};
-    case BaseFormat::rgb: return {color.x, color.y, color.z, 0.0f};
+    case BaseFormat::rgb: return {color.x, image.colors > 1 ? color.y : 0.0f, image.colors > 2 ? color.z : 0.0f, 0.0f};
     case BaseFormat::rgba: break;
   }
   return color;
@@ -111,7 +111,7 @@ SamplerState sampler_state(const TextureObject& object, const pipeline::Image& i
     sampler.mirrored_once[i] = is_mirrored_once(p.wrap[i]);
   }
   if (image.border == 0 && reaches_border(sampler, dimensions)) {
-    sampler.border_color = border_color(p.border_color, image.base_format);
+    sampler.border_color = border_color(p.border_color, image);
   }
 
   if (image.base_format == BaseFormat::depth) {

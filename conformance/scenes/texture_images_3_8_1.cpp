@@ -177,6 +177,28 @@ void base_formats(const GlTable& gl) {
   }
 }
 
+// One and two colours [ARB_texture_rg], of pixels of four and of two components, by all environments and with a border.
+void few_colors(const GlTable& gl) {
+  start(gl);
+  gl.Color4f(0.25f, 0.5f, 0.75f, 0.5f);
+  Random random(18);
+  const Bytes bytes = random_bytes(random, cell * cell * 4);
+  const float border[] = {0.9f, 0.6f, 0.3f, 0.2f}, constant[] = {0.1f, 0.7f, 0.4f, 0.8f};
+  gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl.TexEnvfv(GL_TEXTURE_ENV, GL_TEXTURE_ENV_COLOR, constant);
+  int index = 0;
+  for (const GLint mode : {GL_REPLACE, GL_MODULATE, GL_ADD, GL_DECAL, GL_BLEND}) {
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
+    for (const GLint format : {GL_RED, GL_RG, GL_R16, GL_RG16}) {
+      nearest(gl);
+      const GLenum pixels = format == GL_R16 || format == GL_RG ? GL_RG : GL_RGBA;
+      gl.TexImage2D(GL_TEXTURE_2D, 0, format, cell, cell, 0, pixels, GL_UNSIGNED_BYTE, bytes.data());
+      place(gl, index++, 1.21f);
+    }
+  }
+}
+
 // Parts of one image through every parameter of the pixel store.
 void pixel_store(const GlTable& gl) {
   start(gl);
@@ -458,6 +480,8 @@ SceneList texture_image_scenes() {
        .shows = "Noise of few levels in the formats of few bits.", .draw = narrow_formats},
       {.name = "tex_image_wide_formats", .section = section,
        .shows = "Noise in the formats of 8 bits and more.", .draw = wide_formats},
+      {.name = "tex_image_few_colors", .section = section,
+       .shows = "Noise in red alone and in red and green, by five environments.", .judge = Judge::textures, .draw = few_colors},
       {.name = "tex_image_base_formats", .section = section,
        .shows = "What eight base formats take from colours, by three environments.", .draw = base_formats},
       {.name = "tex_image_pixel_store", .section = section,

@@ -44,13 +44,13 @@ bool has_alpha(BaseFormat base) {
 }
 
 /// The channels that framebuffers write, R in bit 0: L and I take R [ARB_framebuffer_object, "Framebuffer Objects"].
-std::uint8_t written_channels(BaseFormat base) {
-  switch (base) {
+std::uint8_t written_channels(const Image& image) {
+  switch (image.base_format) {
     case BaseFormat::alpha: return 0b1000;
     case BaseFormat::luminance:
     case BaseFormat::intensity: return 0b0001;
     case BaseFormat::luminance_alpha: return 0b1001;
-    case BaseFormat::rgb: return 0b0111;
+    case BaseFormat::rgb: return static_cast<std::uint8_t>((1 << image.colors) - 1);
     default: return 0b1111;
   }
 }
@@ -146,7 +146,8 @@ Surface surface_of(const Image& image, int slice) {
   surface.width_px = image.width;
   surface.height_px = image.height;
   surface.color_format = color_format(wide_format(image.format));
-  surface.channels = written_channels(image.base_format);
+  surface.channels = written_channels(image);
+  surface.red_is_luminance = image.base_format != BaseFormat::rgb && image.base_format != BaseFormat::rgba;
   surface.depth_format = depth_format(image.format);
   surface.has_depth = surface.depth_format != DepthFormat::none;
   surface.has_stencil = image.has_stencil;

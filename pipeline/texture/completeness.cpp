@@ -14,7 +14,7 @@ LevelSize interior(TextureTarget target, const Image& image) {
 }
 
 bool same_storage(const Image& a, const Image& b) {
-  return a.format == b.format && a.base_format == b.base_format && a.srgb == b.srgb && a.border == b.border;
+  return a.format == b.format && a.base_format == b.base_format && a.colors == b.colors && a.srgb == b.srgb && a.border == b.border;
 }
 
 /// [GL1.5 §3.8.10]: the base levels of the six faces have identical, square dimensions, format and border.

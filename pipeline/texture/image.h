@@ -61,6 +61,7 @@ constexpr bool has_four_channels(TexelFormat format) {
 struct Image {
   TexelFormat format = TexelFormat::none;
   BaseFormat base_format = BaseFormat::rgba;
+  std::uint8_t colors = 3;  ///< of rgb: fewer where only R, or R and G, are kept [ARB_texture_rg]; the others are 0
   bool srgb = false;  ///< R, G, B are sRGB-encoded: decoded before filtering
   std::int32_t width = 0, height = 0, depth = 0;  ///< in texels, borders included; 0: no image
   std::int32_t border = 0;
@@ -82,7 +83,7 @@ inline bool is_widened(const Image& image) {
 
 /// Whether texels of one fit the other, and mean the same there.
 inline bool have_same_shape(const Image& a, const Image& b) {
-  return a.format == b.format && a.base_format == b.base_format && a.srgb == b.srgb && a.width == b.width && a.height == b.height &&
+  return a.format == b.format && a.base_format == b.base_format && a.colors == b.colors && a.srgb == b.srgb && a.width == b.width && a.height == b.height &&
          a.depth == b.depth && a.border == b.border && a.has_stencil == b.has_stencil;
 }
 

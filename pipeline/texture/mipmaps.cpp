@@ -104,6 +104,7 @@ Image next_level(TextureTarget target, const Image& image) {
   Image out;
   out.format = image.format;
   out.base_format = image.base_format;
+  out.colors = image.colors;
   out.srgb = image.srgb;
   out.has_stencil = image.has_stencil;
   out.border = image.border;

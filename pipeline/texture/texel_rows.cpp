@@ -60,11 +60,12 @@ T take(const std::byte* in, std::size_t index) {
 
 /// Of four channels, those that the base format lacks: 0, and 1 for alpha.
 template <class T>
-void fill_missing(BaseFormat base, std::size_t count, std::byte* out) {
-  const bool color = base == BaseFormat::rgb, alpha = base == BaseFormat::alpha || base == BaseFormat::luminance_alpha;
+void fill_missing(const Image& image, std::size_t count, std::byte* out) {
+  const BaseFormat base = image.base_format;
+  const bool alpha = base == BaseFormat::alpha || base == BaseFormat::luminance_alpha;
+  const std::size_t colors = base == BaseFormat::rgb ? image.colors : base == BaseFormat::alpha ? 0 : 1;
   for (std::size_t i = 0; i < count; ++i) {
-    if (base == BaseFormat::alpha) put<T>(out, 4 * i, T{0});
-    for (std::size_t c = 1; c < 3 && !color; ++c) put<T>(out, 4 * i + c, T{0});
+    for (std::size_t c = colors; c < 3; ++c) put<T>(out, 4 * i + c, T{0});
     if (!alpha) put<T>(out, 4 * i + 3, full_channel<T>());
   }
 }
@@ -83,7 +84,7 @@ void store_channels(const Image& image, const Component* rgba, std::size_t count
     }
   } else {
     for (std::size_t i = 0; i < 4 * count; ++i) put<T>(out, i, convert(rgba[i]));
-    if (image.base_format != BaseFormat::rgba) fill_missing<T>(image.base_format, count, out);
+    if (image.base_format != BaseFormat::rgba) fill_missing<T>(image, count, out);
   }
 }
 
