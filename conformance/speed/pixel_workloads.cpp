@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <utility>
 
 namespace gouraud::speed {
@@ -105,6 +106,17 @@ Frame upload(const GlTable& gl) {
   };
 }
 
+/// What no driver can undercut where pixels are stored as the program has them: the C library's copy, by neither driver.
+template <int width, int height>
+Frame copy_bytes(const GlTable&) {
+  return [from = noise(width, height, 4), to = noise(width, height, 4)](const GlTable&) mutable {
+    for (int i = 0; i < times; ++i) {
+      std::memcpy(to.data(), from.data(), to.size());
+      asm volatile("" : : "r"(to.data()) : "memory");  // somebody reads it
+    }
+  };
+}
+
 /// New images with their levels, as a program that loads its textures.
 Frame upload_with_mipmaps(const GlTable& gl) {
   bind_texture(gl, GL_LINEAR_MIPMAP_LINEAR);
@@ -122,6 +134,7 @@ Frame upload_with_mipmaps(const GlTable& gl) {
 std::vector<Workload> pixel_workloads() {
   return {
       {"read_pixels", "10 ReadPixels of all, RGBA", width_px, height_px, read_pixels<GL_RGBA, GL_UNSIGNED_BYTE, 4>},
+      {"read_pixels_bound", "10 memcpy of as many bytes, no driver", width_px, height_px, copy_bytes<width_px, height_px>},
       {"read_pixels_bgra", "10 ReadPixels of all, BGRA", width_px, height_px, read_pixels<GL_BGRA, GL_UNSIGNED_BYTE, 4>},
       {"read_pixels_rgb", "10 ReadPixels of all, RGB", width_px, height_px, read_pixels<GL_RGB, GL_UNSIGNED_BYTE, 3>},
       {"read_pixels_depth", "10 ReadPixels of all, depth as float", width_px, height_px,
@@ -131,6 +144,7 @@ std::vector<Workload> pixel_workloads() {
       {"copy_pixels", "10 CopyPixels of all", width_px, height_px, copy_pixels},
       {"copy_to_texture", "10 CopyTexSubImage of 1024 x 1024", width_px, height_px, copy_to_texture},
       {"upload", "10 TexSubImage of 1024 x 1024, RGBA", width_px, height_px, upload<GL_RGBA, 4>},
+      {"upload_bound", "10 memcpy of as many bytes, no driver", width_px, height_px, copy_bytes<texture_size, texture_size>},
       {"upload_bgra", "the same, BGRA", width_px, height_px, upload<GL_BGRA, 4>},
       {"upload_rgb", "the same, RGB", width_px, height_px, upload<GL_RGB, 3>},
       {"upload_mipmaps", "10 TexImage of 1024 x 1024, mipmaps made", width_px, height_px, upload_with_mipmaps},
