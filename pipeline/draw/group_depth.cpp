@@ -90,31 +90,12 @@ std::size_t test_blocks(const TriangleGroup& group, SeenBlock* blocks, std::size
   return seen;
 }
 
-template <class Format>
-GroupDepthTest test_for(CompareFunc func) {
-  switch (func) {
-    case CompareFunc::less: return test_blocks<Format, Less>;
-    case CompareFunc::lequal: return test_blocks<Format, Lequal>;
-    case CompareFunc::greater: return test_blocks<Format, Greater>;
-    case CompareFunc::gequal: return test_blocks<Format, Gequal>;
-    case CompareFunc::equal: return test_blocks<Format, Equal>;
-    case CompareFunc::notequal: return test_blocks<Format, Notequal>;
-    case CompareFunc::never: return nullptr;
-    case CompareFunc::always: break;
-  }
-  return test_blocks<Format, Always>;
-}
+struct GroupDepthRoad {
+  template <class Format, class Func>
+  static GroupDepthTest of() { return test_blocks<Format, Func>; }
+};
 
-GroupDepthTest select_group_test(CompareFunc func, DepthFormat format) {
-  switch (format) {
-    case DepthFormat::z16: return test_for<Z16>(func);
-    case DepthFormat::z24s8: return test_for<Z24S8>(func);
-    case DepthFormat::z32:
-    case DepthFormat::z32f:
-    case DepthFormat::none: break;
-  }
-  return nullptr;
-}
+GroupDepthTest select_group_test(CompareFunc func, DepthFormat format) { return road_for<GroupDepthRoad>(func, format); }
 
 #else
 

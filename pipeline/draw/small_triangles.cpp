@@ -207,31 +207,12 @@ std::size_t test_group(TriangleGroup& group, std::int32_t tile_x, std::int32_t t
   return list_seen(group, small, passed, tile_x, tile_y, seen);
 }
 
-template <class Format>
-SmallTriangleTest test_for(CompareFunc func) {
-  switch (func) {
-    case CompareFunc::less: return test_group<Format, Less>;
-    case CompareFunc::lequal: return test_group<Format, Lequal>;
-    case CompareFunc::greater: return test_group<Format, Greater>;
-    case CompareFunc::gequal: return test_group<Format, Gequal>;
-    case CompareFunc::equal: return test_group<Format, Equal>;
-    case CompareFunc::notequal: return test_group<Format, Notequal>;
-    case CompareFunc::never: return nullptr;
-    case CompareFunc::always: break;
-  }
-  return test_group<Format, Always>;
-}
+struct SmallTriangleRoad {
+  template <class Format, class Func>
+  static SmallTriangleTest of() { return test_group<Format, Func>; }
+};
 
-SmallTriangleTest select_small_test(CompareFunc func, DepthFormat format) {
-  switch (format) {
-    case DepthFormat::z16: return test_for<Z16>(func);
-    case DepthFormat::z24s8: return test_for<Z24S8>(func);
-    case DepthFormat::z32:
-    case DepthFormat::z32f:
-    case DepthFormat::none: break;
-  }
-  return nullptr;
-}
+SmallTriangleTest select_small_test(CompareFunc func, DepthFormat format) { return road_for<SmallTriangleRoad>(func, format); }
 
 #else
 

@@ -74,6 +74,33 @@ HWY_INLINE void test_pairs(const Blocks& blocks, std::uint64_t bits, bool write,
   }
 }
 
+/// Road::of<Format, Func>() for this depth test on a buffer of this format; null for formats that have no integer in 24 bits.
+template <class Road, class Format>
+auto road_of(CompareFunc func) -> decltype(Road::template of<Format, Always>()) {
+  switch (func) {
+    case CompareFunc::less: return Road::template of<Format, Less>();
+    case CompareFunc::lequal: return Road::template of<Format, Lequal>();
+    case CompareFunc::greater: return Road::template of<Format, Greater>();
+    case CompareFunc::gequal: return Road::template of<Format, Gequal>();
+    case CompareFunc::equal: return Road::template of<Format, Equal>();
+    case CompareFunc::notequal: return Road::template of<Format, Notequal>();
+    case CompareFunc::never: return nullptr;
+    case CompareFunc::always: break;
+  }
+  return Road::template of<Format, Always>();
+}
+template <class Road>
+auto road_for(CompareFunc func, DepthFormat format) -> decltype(road_of<Road, Z16>(func)) {
+  switch (format) {
+    case DepthFormat::z16: return road_of<Road, Z16>(func);
+    case DepthFormat::z24s8: return road_of<Road, Z24S8>(func);
+    case DepthFormat::z32:
+    case DepthFormat::z32f:
+    case DepthFormat::none: break;
+  }
+  return nullptr;
+}
+
 }  // namespace gouraud::pipeline::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
