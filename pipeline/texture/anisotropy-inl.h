@@ -32,8 +32,10 @@ struct BlockFootprints {
   alignas(64) float along[3][64];  ///< what coordinate k changes by in a pixel along the longer side
 
   /// `size`: as BlockLod has it.
-  HWY_INLINE BlockFootprints(const CoordinatePlanes& planes, const std::array<float, 3>& size, float max_anisotropy) {
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(FloatTag())) measure(planes, size, max_anisotropy, lane);
+  HWY_INLINE BlockFootprints(const CoordinatePlanes& planes, const std::array<float, 3>& size, float max_anisotropy, PairRange pairs) {
+    for (std::size_t lane = pairs.first * pair_lanes; lane < pairs.end * pair_lanes; lane += hn::Lanes(FloatTag())) {
+      measure(planes, size, max_anisotropy, lane);
+    }
   }
 
  private:

@@ -113,7 +113,20 @@ struct BorderPairs {
     even = fixed(0) | fixed(2) << 16;
     odd = fixed(1) | fixed(3) << 16;
   }
+  HWY_INLINE ChannelPairs where(hn::Mask<IntTag> outside, const ChannelPairs& inside) const {
+    const IntTag d;
+    return {hn::IfThenElse(outside, hn::Set(d, even), inside.even), hn::IfThenElse(outside, hn::Set(d, odd), inside.odd)};
+  }
 };
+
+/// A row's two texels of each lane. Where the second ones lie behind the first ones, one load may give both.
+template <class Words>
+HWY_INLINE TexelPair two_texels(const std::byte* texels, IntVector first, IntVector second, bool behind, const WordMap& map) {
+  if constexpr (Words::loads_two) {
+    if (behind) return Words::load_two(texels, first, map);
+  }
+  return {Words::load(texels, first, map), Words::load(texels, second, map)};
+}
 
 template <class Words>
 void read_bilinear(const LevelRead& read, TexelBlock& out) {
@@ -121,13 +134,6 @@ void read_bilinear(const LevelRead& read, TexelBlock& out) {
   const AxisTexels &x = (*read.axis)[0], &y = (*read.axis)[1];
   const WordMap map = word_map(read.unit->base_format);
   const BorderPairs border(read.unit->border);
-  const auto texel = [&](IntVector offset) HWY_ATTR {
-    if (!read.reaches_border) return pairs_of(Words::load(read.texels, offset, map));
-    const ChannelPairs inside = pairs_of(Words::load(read.texels, hn::Max(offset, hn::Zero(d)), map));
-    const auto outside = hn::Lt(offset, hn::Zero(d));
-    return ChannelPairs{hn::IfThenElse(outside, hn::Set(d, border.even), inside.even),
-                        hn::IfThenElse(outside, hn::Set(d, border.odd), inside.odd)};
-  };
   for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
     const std::uint64_t wanted = lane_bits(read.lanes, lane);
     if (wanted == 0) continue;
@@ -135,8 +141,22 @@ void read_bilinear(const LevelRead& read, TexelBlock& out) {
     const IntVector y0 = hn::Load(d, y.first.data() + lane), y1 = hn::Load(d, y.second.data() + lane);
     const IntVector weight_x = pair_weight(hn::Load(FloatTag(), x.weight.data() + lane));
     const IntVector weight_y = pair_weight(hn::Load(FloatTag(), y.weight.data() + lane));
-    const ChannelPairs lower = lerp(texel(hn::Add(x0, y0)), texel(hn::Add(x1, y0)), weight_x);
-    const ChannelPairs upper = lerp(texel(hn::Add(x0, y1)), texel(hn::Add(x1, y1)), weight_x);
+    const IntVector signs = hn::Or(hn::Or(x0, x1), hn::Or(y0, y1));
+    if (read.reaches_border && !hn::AllFalse(d, hn::Lt(signs, hn::Zero(d)))) {
+      const auto texel = [&](IntVector offset) HWY_ATTR {
+        const ChannelPairs inside = pairs_of(Words::load(read.texels, hn::Max(offset, hn::Zero(d)), map));
+        return border.where(hn::Lt(offset, hn::Zero(d)), inside);
+      };
+      const ChannelPairs lower = lerp(texel(hn::Add(x0, y0)), texel(hn::Add(x1, y0)), weight_x);
+      const ChannelPairs upper = lerp(texel(hn::Add(x0, y1)), texel(hn::Add(x1, y1)), weight_x);
+      store_texels(read, wanted, lane, texels_of(lerp(lower, upper, weight_y)), out);
+      continue;
+    }
+    const bool behind = Words::loads_two && hn::AllTrue(d, hn::Eq(x1, hn::Add(x0, hn::Set(d, 1))));
+    const TexelPair low = two_texels<Words>(read.texels, hn::Add(x0, y0), hn::Add(x1, y0), behind, map);
+    const TexelPair high = two_texels<Words>(read.texels, hn::Add(x0, y1), hn::Add(x1, y1), behind, map);
+    const ChannelPairs lower = lerp(pairs_of(low.first), pairs_of(low.second), weight_x);
+    const ChannelPairs upper = lerp(pairs_of(high.first), pairs_of(high.second), weight_x);
     store_texels(read, wanted, lane, texels_of(lerp(lower, upper, weight_y)), out);
   }
 }

@@ -18,14 +18,10 @@
 #include <cstdint>
 
 #include "pipeline/raster/interpolation-inl.h"
+#include "pipeline/texture/texels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
-
-/// Texels at offset and offset + 1.
-struct TexelPair {
-  IntVector first, second;
-};
 
 #if HWY_TARGET == HWY_AVX3
 inline constexpr bool reads_along_rows = true;

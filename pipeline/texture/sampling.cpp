@@ -176,10 +176,12 @@ void sample_anisotropic(const FragmentBlock& block, const PreparedUnit& unit, Te
   const SamplerState& sampler = unit.state.sampler;
   const TextureCoordinateLayout& layout = layout_of(block, unit);
   const DividedCoordinates coordinates(block, layout);
-  BlockFootprints footprints(coordinate_planes(block, layout), base_size(unit), sampler.max_anisotropy);
+  const PairRange pairs = covered_pairs(block.coverage);
+  const std::size_t begin = pairs.first * pair_lanes, end = pairs.end * pair_lanes;
+  BlockFootprints footprints(coordinate_planes(block, layout), base_size(unit), sampler.max_anisotropy, pairs);
   alignas(64) float r[64], moved[3][64], lambda[64];
   const LaneCoordinates at{{moved[0], moved[1], moved[2]}, compared_lanes(unit, coordinates, r), 0};
-  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+  for (std::size_t lane = begin; lane < end; lane += hn::Lanes(d)) {
     const FloatVector biased = hn::Add(hn::Load(d, footprints.lambda + lane), hn::Set(d, sampler.lod_bias));
     hn::Store(kept_between(biased, sampler.min_lod, sampler.max_lod), d, footprints.lambda + lane);
   }
@@ -187,7 +189,7 @@ void sample_anisotropic(const FragmentBlock& block, const PreparedUnit& unit, Te
   std::uint64_t lanes = block.coverage;
   for (int i = 1; lanes != 0; ++i) {
     const auto number = static_cast<float>(i);
-    for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    for (std::size_t lane = begin; lane < end; lane += hn::Lanes(d)) {
       const FloatVector count = hn::Load(d, footprints.probes + lane);
       const FloatVector place = hn::Sub(hn::Div(hn::Set(d, number), hn::Add(count, hn::Set(d, 1.0f))), hn::Set(d, 0.5f));
       for (std::size_t k = 0; k < static_cast<std::size_t>(unit.dimensions); ++k) {

@@ -48,25 +48,50 @@ HWY_INLINE WordMap word_map(BaseFormat format) {
   return {1, 0};
 }
 
-/// 8-bit formats: texels to words of R, G, B, A.
+/// Texels at offset and offset + 1.
+struct TexelPair {
+  IntVector first, second;
+};
+
+/// 8-bit formats: texels to words of R, G, B, A; where `loads_two`, the one behind comes in the same load.
 struct WordsR8 {
+  static constexpr bool loads_two = true;
   static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
+    return word(gather_word<1>(texels, offset), map);
+  }
+  static HWY_INLINE TexelPair load_two(const std::byte* texels, IntVector offset, const WordMap& map) {
+    const IntVector both = gather_word<1>(texels, offset);
+    return {word(both, map), word(hn::ShiftRight<8>(both), map)};
+  }
+
+ private:
+  static HWY_INLINE IntVector word(IntVector bytes, const WordMap& map) {
     const IntTag d;
-    const IntVector byte = hn::And(gather_word<1>(texels, offset), hn::Set(d, 0xFF));
+    const IntVector byte = hn::And(bytes, hn::Set(d, 0xFF));
     return hn::Or(hn::Mul(byte, hn::Set(d, map.multiply)), hn::Set(d, map.bits));
   }
 };
 struct WordsRG8 {
+  static constexpr bool loads_two = true;
   static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap&) {
-    const IntTag d;
+    return word(gather_word<2>(texels, offset));
+  }
+  static HWY_INLINE TexelPair load_two(const std::byte* texels, IntVector offset, const WordMap&) {
     const IntVector both = gather_word<2>(texels, offset);
-    const IntVector luminance = hn::And(both, hn::Set(d, 0xFF));
-    const IntVector alpha = hn::ShiftLeft<16>(hn::And(both, hn::Set(d, 0xFF00)));
+    return {word(both), word(hn::ShiftRight<16>(both))};
+  }
+
+ private:
+  static HWY_INLINE IntVector word(IntVector bytes) {
+    const IntTag d;
+    const IntVector luminance = hn::And(bytes, hn::Set(d, 0xFF));
+    const IntVector alpha = hn::ShiftLeft<16>(hn::And(bytes, hn::Set(d, 0xFF00)));
     return hn::Or(hn::Or(luminance, hn::ShiftLeft<8>(luminance)), hn::Or(hn::ShiftLeft<16>(luminance), alpha));
   }
 };
 /// A, L, LA and I in four channels. The map is that of one channel.
 struct WordsWide8 {
+  static constexpr bool loads_two = false;
   static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
     const IntTag d;
     const IntVector word = gather_word<4>(texels, offset), red = hn::And(word, hn::Set(d, 0xFF));
@@ -77,6 +102,7 @@ struct WordsWide8 {
   }
 };
 struct WordsRGBA8 {
+  static constexpr bool loads_two = false;
   static HWY_INLINE IntVector load(const std::byte* texels, IntVector offset, const WordMap& map) {
     return hn::Or(gather_word<4>(texels, offset), hn::Set(IntTag(), map.bits));
   }
