@@ -4,8 +4,6 @@
 
 #include <cstdint>
 
-#include "pipeline/framebuffer/blit.h"
-
 namespace gouraud::api {
 namespace {
 
@@ -68,8 +66,7 @@ void BlitFramebuffer(Context& context, GLint srcX0, GLint srcY0, GLint srcX1, GL
   if (pictures.error != GL_NO_ERROR) return context.record_error(pictures.error, command, pictures.message);
 
   context.finish_rendering();
-  pipeline::blit(source, destination, blit);
-  context.target_changed();
+  context.renderer().blit(source, blit);
 }
 
 }  // namespace gouraud::api

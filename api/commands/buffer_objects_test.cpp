@@ -23,7 +23,7 @@ const void* offset(std::uintptr_t bytes) {
 
 struct Positions : pipeline::DrawObserver {
   std::vector<std::array<float, 4>> seen;
-  void target_changed(int, int, int, int) override {}
+  void target_changed(const pipeline::Framebuffer&) override {}
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState&, const pipeline::VertexBatch& batch) override {
     const auto& p = batch.position_object;

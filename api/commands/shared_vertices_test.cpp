@@ -15,7 +15,7 @@ namespace {
 /// Vertices and draws that reach the renderer.
 struct Counter : pipeline::DrawObserver {
   std::int32_t vertices = 0, named = 0, batches = 0;
-  void target_changed(int, int, int, int) override {}
+  void target_changed(const pipeline::Framebuffer&) override {}
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState&, const pipeline::VertexBatch& batch) override {
     vertices += batch.count;

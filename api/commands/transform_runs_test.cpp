@@ -15,7 +15,7 @@ namespace {
 struct Counter : pipeline::DrawObserver {
   int draws = 0, runs = 0;
   std::vector<float> scales;  ///< of each draw's matrix
-  void target_changed(int, int, int, int) override {}
+  void target_changed(const pipeline::Framebuffer&) override {}
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) override {
     ++draws;

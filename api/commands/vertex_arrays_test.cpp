@@ -27,7 +27,7 @@ struct SeenVertex {
 struct Recorder : pipeline::DrawObserver {
   std::vector<SeenVertex> vertices;
   std::vector<pipeline::PrimitiveMode> modes;
-  void target_changed(int, int, int, int) override {}
+  void target_changed(const pipeline::Framebuffer&) override {}
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState&, const pipeline::VertexBatch& batch) override {
     for (const pipeline::PrimitiveRange& range : batch.primitives) modes.push_back(range.mode);

@@ -119,11 +119,6 @@ class Context {
   bool can_draw(const char* command);
   bool can_read(const char* command);
   bool can_blit_from(const char* command);
-  /// target() has been written to by other means than the renderer.
-  void target_changed() {
-    window_dirty_ |= target() == window_.get();
-    renderer_.target_changed();
-  }
   const ContextConfig& config() const { return config_; }
 
   /// The parts in `bits` (DirtyBits) of the state have changed. Pending vertices are not touched: they are drawn with

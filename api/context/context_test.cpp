@@ -96,7 +96,7 @@ TEST(Target, HasTheDepthBufferOfTheConfiguration) {
 
 struct CountingObserver : pipeline::DrawObserver {
   int targets = 0;
-  void target_changed(int, int, int, int) override { ++targets; }
+  void target_changed(const pipeline::Framebuffer&) override { ++targets; }
   void draw(const pipeline::DrawState&, const pipeline::VertexBatch&) override {}
   void clear(const pipeline::ClearState&) override {}
 };

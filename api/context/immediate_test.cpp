@@ -39,7 +39,7 @@ struct SeenDraw {
 
 struct Recorder : pipeline::DrawObserver {
   std::vector<SeenDraw> draws;
-  void target_changed(int, int, int, int) override {}
+  void target_changed(const pipeline::Framebuffer&) override {}
   void clear(const pipeline::ClearState&) override {}
   void draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) override {
     SeenDraw seen{state, batch.count, batch.material_runs.size(), {}};

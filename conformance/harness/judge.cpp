@@ -24,10 +24,6 @@ struct Row {
       case Judge::textures: return key == "different_llvmpipe" ? textured_different : polygons;
       case Judge::lines_and_points: return lines_and_points;
       case Judge::oracle_only: return oracle_only;
-      case Judge::llvmpipe: {
-        if (key.ends_with("_oracle")) return reported;
-        return key == "different_llvmpipe" ? textured_different : polygons;
-      }
     }
     return reported;
   }

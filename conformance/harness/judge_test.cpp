@@ -48,15 +48,6 @@ TEST(Judge, OnePixelOfCoverageFailsPolygonsOnly) {
   EXPECT_TRUE(judge_as(Judge::oracle_only, renderings).passed());
 }
 
-TEST(Judge, WhereTheOracleDoesNotFollowLlvmpipeJudges) {
-  SceneRenderings renderings = all_equal();
-  renderings.ours->picture->covered[7] = 0;
-  const Verdict verdict = judge_as(Judge::llvmpipe, renderings);
-  EXPECT_FALSE(complains(verdict, "coverage_oracle"));
-  EXPECT_TRUE(complains(verdict, "coverage_llvmpipe"));
-  EXPECT_TRUE(judge_as(Judge::llvmpipe, all_equal()).passed());
-}
-
 TEST(Judge, CoverageOfTheOracleBindsAll) {
   SceneRenderings renderings = all_equal();
   renderings.ours->picture->covered[7] = 0;

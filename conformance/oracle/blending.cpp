@@ -128,6 +128,38 @@ Bytes result_of(const pipeline::RasterState& state, const Bytes& s, const Bytes&
   return out;
 }
 
+/// The bytes that a channel may be stored as: either of two if it lies all but in their middle.
+struct Range {
+  int lowest = 0, highest = 0;
+};
+using Ranges = std::array<Range, 4>;
+
+Range range_of(double lowest, double highest) {
+  return {byte_of(lowest - color_slack_bytes / 255), byte_of(highest + color_slack_bytes / 255)};
+}
+
+bool are_known(const Ranges& ranges) {
+  return std::ranges::all_of(ranges, [](const Range& range) { return range.lowest == range.highest; });
+}
+
+/// Blending is monotonous in each of its numbers, so that the ends of their ranges give those of the result. Logical
+/// operations are not: of unknown numbers they may give all.
+Ranges results_of(const pipeline::RasterState& state, const Ranges& source, const Ranges& destination) {
+  if (state.logic_op != LogicOp::copy) return {Range{0, 255}, {0, 255}, {0, 255}, {0, 255}};
+  Ranges out{Range{255, 0}, {255, 0}, {255, 0}, {255, 0}};
+  const auto end_of = [](const Range& range, bool high) { return high ? range.highest : range.lowest; };
+  for (unsigned ends = 0; ends < 16; ++ends) {
+    Bytes s, d;
+    for (std::size_t i = 0; i < 4; ++i) {
+      s[i] = end_of(source[i], (ends & (i == 3 ? 1u : 2u)) != 0);
+      d[i] = end_of(destination[i], (ends & (i == 3 ? 4u : 8u)) != 0);
+    }
+    const Bytes result = result_of(state, s, d);
+    for (std::size_t i = 0; i < 4; ++i) out[i] = {std::min(out[i].lowest, result[i]), std::max(out[i].highest, result[i])};
+  }
+  return out;
+}
+
 bool passes(pipeline::CompareFunc func, int alpha, int reference) {
   switch (func) {
     case pipeline::CompareFunc::never:
@@ -152,15 +184,21 @@ bool passes(pipeline::CompareFunc func, int alpha, int reference) {
 
 }  // namespace
 
-void write_color(OraclePixel& pixel, const pipeline::RasterState& state, const Fragment& fragment) {
+bool write_color(OraclePixel& pixel, const pipeline::RasterState& state, const Fragment& fragment) {
   const bool replaces = !state.blend.enabled && state.logic_op == LogicOp::copy;
-  const bool exact = !fragment.extrapolated && pixel.color_lowest == pixel.color_highest;
   Bytes source, destination;
+  Ranges source_range, destination_range;
   for (std::size_t i = 0; i < 4; ++i) {
     source[i] = byte_of(fragment.color[i]);
     destination[i] = pixel.color_unorm8[i];
+    source_range[i] = fragment.extrapolated ? range_of(fragment.color_lowest[i], fragment.color_highest[i]) : range_of(fragment.color[i], fragment.color[i]);
+    const bool known = pixel.color_lowest[i] == pixel.color_highest[i];
+    destination_range[i] = known ? range_of(pixel.color[i], pixel.color[i])
+                                 : range_of(static_cast<double>(pixel.color_lowest[i]), static_cast<double>(pixel.color_highest[i]));
   }
   const Bytes result = replaces ? source : result_of(state, source, destination);
+  const bool exact = replaces || (are_known(source_range) && are_known(destination_range));
+  const Ranges range = exact ? Ranges{} : results_of(state, source_range, destination_range);
   for (std::size_t i = 0; i < 4; ++i) {
     if ((state.color_write_mask >> i & 1) == 0) continue;
     pixel.color_unorm8[i] = static_cast<std::uint8_t>(result[i]);
@@ -169,17 +207,17 @@ void write_color(OraclePixel& pixel, const pipeline::RasterState& state, const F
       pixel.color_lowest[i] = static_cast<float>(clamped(fragment.color_lowest[i]));
       pixel.color_highest[i] = static_cast<float>(clamped(fragment.color_highest[i]));
     } else {
-      // Where a legal source or destination is not known exactly, nor is what they make.
       pixel.color[i] = result[i] / 255.0;
-      pixel.color_lowest[i] = exact ? static_cast<float>(pixel.color[i]) : 0.0f;
-      pixel.color_highest[i] = exact ? static_cast<float>(pixel.color[i]) : 1.0f;
+      pixel.color_lowest[i] = static_cast<float>((exact ? result[i] : std::min(range[i].lowest, result[i])) / 255.0);
+      pixel.color_highest[i] = static_cast<float>((exact ? result[i] : std::max(range[i].highest, result[i])) / 255.0);
     }
   }
+  return exact;
 }
 
 AlphaVerdict test_alpha(const pipeline::AlphaTestState& state, const Fragment& fragment) {
   if (!state.enabled) return {};
-  constexpr double slack = 1.0 / (255 * 1024);
+  constexpr double slack = color_slack_bytes / 255;
   const int reference = byte_of(static_cast<double>(state.reference));
   const int lowest = byte_of(std::min(fragment.color_lowest[3], fragment.color[3]) - slack);
   const int highest = byte_of(std::max(fragment.color_highest[3], fragment.color[3]) + slack);

@@ -7,11 +7,12 @@
 
 namespace gouraud::oracle {
 
-/// Writes the fragment's colour into `pixel`: blended or combined as `state` says, under the colour mask.
-void write_color(OraclePixel& pixel, const pipeline::RasterState& state, const Fragment& fragment);
+/// Writes the fragment's colour into `pixel`: blended or combined as `state` says, under the colour mask. False if the
+/// result has a legal range, because source or destination has one, or might have been rounded the other way.
+bool write_color(OraclePixel& pixel, const pipeline::RasterState& state, const Fragment& fragment);
 
 /// Whether the fragment passes the alpha test, alpha and reference rounded to 8 bits [GL1.5 §4.1.4]; and whether an
-/// error of 1/1024 of a step, or what is legal where the fragment is extrapolated, would turn that.
+/// error of color_slack_bytes, or what is legal where the fragment is extrapolated, would turn that.
 struct AlphaVerdict {
   bool passes = true, ambiguous = false;
 };

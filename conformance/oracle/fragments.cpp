@@ -81,9 +81,9 @@ bool is_ambiguous(CompareFunc func, const Depth& incoming, const OraclePixel& pi
   return can_be_equal && !must_be_equal;
 }
 
-OraclePixel written(OraclePixel pixel, const pipeline::RasterState& state, const Fragment& fragment,
-                    const Depth& depth) {
-  write_color(pixel, state, fragment);
+OraclePixel written(OraclePixel pixel, const pipeline::RasterState& state, const Fragment& fragment, const Depth& depth,
+                    std::uint8_t& flags) {
+  if (!write_color(pixel, state, fragment)) flags |= pixel_extrapolated;
   if (state.depth.test_enabled && state.depth.write_enabled) {
     pixel.depth_units = depth.units;
     pixel.depth_stored = depth.stored;
@@ -134,6 +134,26 @@ std::vector<OraclePixel> possible_contents(const OraclePicture& picture, std::si
   return out;
 }
 
+/// Whether the fragment has this sample: its place is covered, and its alpha reaches far enough [GL1.5 §4.1.3].
+/// choice: sample k of n is covered from alpha = (k + 1/2) / n on.
+AlphaVerdict test_sample(const pipeline::RasterState& state, std::size_t sample, const Fragment& fragment) {
+  AlphaVerdict verdict{true, fragment.may_be_absent};
+  if (state.alpha_to_coverage == 0) return verdict;
+  constexpr double slack = color_slack_bytes / 255;
+  const double least = (static_cast<double>(sample) + 0.5) / state.alpha_to_coverage;
+  const double lowest = std::min(fragment.color_lowest[3], fragment.color[3]) - slack;
+  const double highest = std::max(fragment.color_highest[3], fragment.color[3]) + slack;
+  verdict.passes = fragment.color[3] >= least;
+  verdict.ambiguous |= lowest < least && highest >= least;
+  return verdict;
+}
+
+/// Of a fragment that must pass both.
+AlphaVerdict both(const AlphaVerdict& a, const AlphaVerdict& b) {
+  const bool may = (a.passes || a.ambiguous) && (b.passes || b.ambiguous);
+  return {a.passes && b.passes, may && (a.ambiguous || b.ambiguous)};
+}
+
 /// Clears one possible content of a pixel.
 void clear_pixel(OraclePixel& pixel, const pipeline::ClearState& state, double depth_units) {
   for (std::size_t i = 0; state.color && i < 4; ++i) {
@@ -174,7 +194,25 @@ OraclePicture make_picture(int width_px, int height_px, int depth_bits) {
   return picture;
 }
 
-void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& rasterized) {
+void PixelOutcomes::include(const PixelOutcomes& other) {
+  flags |= other.flags | pixel_extrapolated;
+  for (std::size_t i = 0; i < 4; ++i) {
+    pixel.color_lowest[i] = std::min(pixel.color_lowest[i], other.pixel.color_lowest[i]);
+    pixel.color_highest[i] = std::max(pixel.color_highest[i], other.pixel.color_highest[i]);
+  }
+  pixel.depth_lowest = std::min(pixel.depth_lowest, other.pixel.depth_lowest);
+  pixel.depth_highest = std::max(pixel.depth_highest, other.pixel.depth_highest);
+}
+
+PixelOutcomes with_all_outcomes(const OraclePicture& picture, std::size_t index) {
+  PixelOutcomes out{picture.pixels[index], picture.flags[index]};
+  const auto found = picture.alternatives.find(index);
+  if (found == picture.alternatives.end()) return out;
+  for (const OraclePixel& other : found->second) out.include({other, 0});
+  return out;
+}
+
+void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& rasterized, std::size_t sample) {
   Fragment fragment = rasterized;
   for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) {
     *color = fogged(state.fog, *color, fragment.fog_coordinate);
@@ -189,7 +227,9 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
 
   const bool tested = state.depth.test_enabled && picture.depth_bits > 0;
   const Depth depth = to_buffer_units(fragment, picture.depth_bits);
-  const AlphaVerdict alpha = test_alpha(state.alpha_test, fragment);
+  const AlphaVerdict has_sample = test_sample(state, sample, fragment);
+  if (state.alpha_to_one) fragment.color[3] = fragment.color_lowest[3] = fragment.color_highest[3] = 1;
+  const AlphaVerdict alpha = both(has_sample, test_alpha(state.alpha_test, fragment));
   if (!alpha.passes && !alpha.ambiguous) return;
   const auto passes_on = [&](const OraclePixel& pixel) {
     return !tested || passes(state.depth.func, depth.stored, pixel.depth_stored);
@@ -200,7 +240,7 @@ void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, 
     if (!alpha_passes) return pixel;
     const bool arrived = arrives(pixel);
     if (state.stencil.enabled) update_stencil(stencil, arrived, depth_passes, pixel);
-    return arrived && depth_passes ? written(pixel, state, written_fragment, depth) : pixel;
+    return arrived && depth_passes ? written(pixel, state, written_fragment, depth, picture.flags[index]) : pixel;
   };
   OraclePixel& pixel = picture.pixels[index];
   // A smooth primitive's faintest fragments leave a pixel as it is, whatever it is.

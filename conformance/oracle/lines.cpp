@@ -88,33 +88,77 @@ void bound_extrapolation(const std::array<WindowVertex, 2>& ends, const std::arr
   }
 }
 
-/// Colour and depth of the line at a pixel's centre [GL1.5 §3.4.1 eqs 3.3-3.5].
-void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y, double coverage = 1) {
-  const auto& [a, b] = ends;
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double squared_length = dx * dx + dy * dy;
-  const double t = squared_length > 0 ? ((x + 0.5 - a.x) * dx + (y + 0.5 - a.y) * dy) / squared_length : 0.0;
+double length_squared(const std::array<WindowVertex, 2>& ends) {
+  const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
+  return dx * dx + dy * dy;
+}
 
+/// How far along the line a place is: 0 at its start, 1 at its end [GL1.5 §3.4.1 eq 3.3].
+double time_at(const std::array<WindowVertex, 2>& ends, double x, double y) {
+  const auto& [a, b] = ends;
+  const double squared = length_squared(ends);
+  return squared > 0 ? ((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / squared : 0.0;
+}
+
+/// The line's colour there [GL1.5 §3.4.1 eq 3.4], with its textures.
+TexturedColor shaded_at(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t) {
+  const auto& [a, b] = ends;
+  const double squared = length_squared(ends);
+  const double slope_x = squared > 0 ? (b.x - a.x) / squared : 0.0, slope_y = squared > 0 ? (b.y - a.y) / squared : 0.0;
+  const std::array<VertexShare, 2> shares{
+      VertexShare{&a.colors, (1 - t) * a.w_inverse, -slope_x * a.w_inverse, -slope_y * a.w_inverse},
+      VertexShare{&b.colors, t * b.w_inverse, slope_x * b.w_inverse, slope_y * b.w_inverse}};
+  return shade(sink, color_at(ends, colors, t), shares);
+}
+
+std::array<Color, 2> colors_of(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends) {
+  return {color_of(sink, sink.flat_colors ? *sink.flat_colors : ends[0].colors), color_of(sink, sink.flat_colors ? *sink.flat_colors : ends[1].colors)};
+}
+
+/// [GL1.5 §3.4.1 eq 3.5].
+void set_depth(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, double t, Fragment& fragment) {
+  const double a = ends[0].z, b = ends[1].z;
+  fragment.depth = (a == b ? a : (1 - t) * a + t * b) + sink.depth_offset;
+  const double slack = a == b && sink.depth_offset == 0 ? 0.0 : sink.depth_slack;
+  fragment.depth_lowest = fragment.depth - slack;
+  fragment.depth_highest = fragment.depth + slack;
+}
+
+/// Colour and depth of the line at a pixel's centre.
+void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y, double coverage = 1) {
+  const double t = time_at(ends, x + 0.5, y + 0.5);
   Fragment fragment;
   fragment.face = sink.face;
   fragment.x = x;
   fragment.y = y;
   fragment.coverage = coverage;
   fragment.coverage_slack = coverage < 1 ? coverage_rounding : 0;
-  const std::array<Color, 2> colors{color_of(sink, sink.flat_colors ? *sink.flat_colors : a.colors),
-                                    color_of(sink, sink.flat_colors ? *sink.flat_colors : b.colors)};
-  const double slope_x = squared_length > 0 ? dx / squared_length : 0.0, slope_y = squared_length > 0 ? dy / squared_length : 0.0;
-  const std::array<VertexShare, 2> shares{
-      VertexShare{&a.colors, (1 - t) * a.w_inverse, -slope_x * a.w_inverse, -slope_y * a.w_inverse},
-      VertexShare{&b.colors, t * b.w_inverse, slope_x * b.w_inverse, slope_y * b.w_inverse}};
-  set_color(shade(sink, color_at(ends, colors, t), shares), fragment);
+  const std::array<Color, 2> colors = colors_of(sink, ends);
+  set_color(shaded_at(sink, ends, colors, t), fragment);
   fragment.fog_coordinate = fog_coordinate_at(ends, t);
-  if ((t < 0 || t > 1) && a.w_inverse != b.w_inverse) bound_extrapolation(ends, colors, t, fragment);
-  fragment.depth = (a.z == b.z ? a.z : (1 - t) * a.z + t * b.z) + sink.depth_offset;
-  const double slack = a.z == b.z && sink.depth_offset == 0 ? 0.0 : sink.depth_slack;
-  fragment.depth_lowest = fragment.depth - slack;
-  fragment.depth_highest = fragment.depth + slack;
-  write_fragment(*sink.picture, sink.state, fragment);
+  if ((t < 0 || t > 1) && ends[0].w_inverse != ends[1].w_inverse) bound_extrapolation(ends, colors, t, fragment);
+  set_depth(sink, ends, t, fragment);
+  sink.give(fragment);
+}
+
+/// Data of all samples at once may be those of any place in the pixel, depths are each sample's own [GL1.5 §3.4.4]. What
+/// lies beyond the ends may have the end's.
+void make_sample(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y, std::size_t k, bool may_be_absent) {
+  Fragment fragment;
+  fragment.face = sink.face;
+  fragment.x = x;
+  fragment.y = y;
+  fragment.may_be_absent = may_be_absent;
+  const std::array<Color, 2> colors = colors_of(sink, ends);
+  const double center = time_at(ends, x + 0.5, y + 0.5), t = time_at(ends, x + sample_places[k].x, y + sample_places[k].y);
+  set_color(shaded_at(sink, ends, colors, std::clamp(center, 0.0, 1.0)), fragment);
+  fragment.extrapolated |= colors[0] != colors[1] || sink.texturing.count > 0;
+  for (const SamplePosition& place : sample_places) {
+    include_color(shaded_at(sink, ends, colors, std::clamp(time_at(ends, x + place.x, y + place.y), 0.0, 1.0)), fragment);
+  }
+  fragment.fog_coordinate = fog_coordinate_at(ends, std::clamp(center, 0.0, 1.0));
+  set_depth(sink, ends, t, fragment);
+  sink.give(fragment, k);
 }
 
 bool stipple_keeps(const pipeline::LineState& lines, std::int64_t count) {
@@ -160,8 +204,32 @@ void rasterize_aliased(const FragmentSink& sink, const std::array<WindowVertex, 
   }
 }
 
+/// So near to an edge of a line or point, in pixels, a sample may be on either side: corners may be rounded to a sub-pixel.
+constexpr double edge_slack = 1.0 / 256;
+
+/// The samples inside the rectangle around a stretch of the line [GL1.5 §3.4.4].
+void sample_stretch(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, double begin, double end) {
+  const WindowVertex &a = vertices[0], &b = vertices[1];
+  const double length = std::hypot(b.x - a.x, b.y - a.y), half = 0.5 * static_cast<double>(sink.lines.width_px);
+  const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length, reach = half + 1;
+  const auto [x0, x1] = std::minmax({a.x + begin * ux, a.x + end * ux});
+  const auto [y0, y1] = std::minmax({a.y + begin * uy, a.y + end * uy});
+  const pipeline::PixelRect& box = sink.state.scissor;
+  for (int y = std::max(static_cast<int>(std::floor(y0 - reach)), box.y0); y < std::min<double>(y1 + reach, box.y1); ++y) {
+    for (int x = std::max(static_cast<int>(std::floor(x0 - reach)), box.x0); x < std::min<double>(x1 + reach, box.x1); ++x) {
+      for (std::size_t k = 0; k < sample_places.size(); ++k) {
+        const double dx = x + sample_places[k].x - a.x, dy = y + sample_places[k].y - a.y;
+        const double along = dx * ux + dy * uy, across = std::abs(dy * ux - dx * uy);
+        const double outside = std::max({begin - along, along - end, across - half});
+        if (outside < edge_slack) make_sample(sink, vertices, x, y, k, outside > -edge_slack);
+      }
+    }
+  }
+}
+
 /// A rectangle around the stretch of the line between two distances from its start [GL1.5 §3.4.2].
 void rasterize_stretch(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, double begin, double end) {
+  if (sink.multisample.enabled) return sample_stretch(sink, vertices, begin, end);
   const WindowVertex &a = vertices[0], &b = vertices[1];
   const double length = std::hypot(b.x - a.x, b.y - a.y), half = 0.5 * static_cast<double>(sink.lines.width_px);
   const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
@@ -224,17 +292,58 @@ std::array<int, 2> pixel_of_point(double x, double y, int subpixel_bits) {
 
 namespace {
 /// [ARB_point_sprite]: from (0, 0) at the top left to (1, 1); kept inside, because a snapped square may stand out.
-TextureCoordinate sprite_coordinate(const WindowVertex& vertex, double size_px, int x, int y) {
+TextureCoordinate sprite_coordinate(const WindowVertex& vertex, double size_px, double x, double y) {
   TextureCoordinate out;
-  out.value = {std::clamp(0.5 + (x + 0.5 - vertex.x) / size_px, 0.0, 1.0), std::clamp(0.5 - (y + 0.5 - vertex.y) / size_px, 0.0, 1.0), 0, 1};
+  out.value = {std::clamp(0.5 + (x - vertex.x) / size_px, 0.0, 1.0), std::clamp(0.5 - (y - vertex.y) / size_px, 0.0, 1.0), 0, 1};
   out.ddx = {1 / size_px, 0, 0, 0};
   out.ddy = {0, -1 / size_px, 0, 0};
   return out;
+}
+
+/// The samples inside a disc, or a sprite's square [GL1.5 §3.3.3]. The texels of all samples at once may be those of any
+/// place in the pixel.
+void sample_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px, Fragment fragment) {
+  const std::array<VertexShare, 1> shares{VertexShare{&vertex.colors, 1, 0, 0}};
+  const Color primary = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors);
+  const double half = 0.5 * size_px;
+  const pipeline::PixelRect& box = sink.state.scissor;
+  const bool textured = sink.texturing.sprite_units != 0;
+  const auto shade_sprite = [&](double x, double y) {
+    const TextureCoordinate coordinate = sprite_coordinate(vertex, size_px, x, y);
+    return shade(sink, primary, shares, &coordinate);
+  };
+  for (int y = std::max(static_cast<int>(std::floor(vertex.y - half)), box.y0); y < std::min<double>(vertex.y + half + 1, box.y1); ++y) {
+    for (int x = std::max(static_cast<int>(std::floor(vertex.x - half)), box.x0); x < std::min<double>(vertex.x + half + 1, box.x1); ++x) {
+      fragment.x = x;
+      fragment.y = y;
+      if (textured) {
+        set_color(shade_sprite(x + 0.5, y + 0.5), fragment);
+        fragment.extrapolated = true;
+        for (const SamplePosition& place : sample_places) include_color(shade_sprite(x + place.x, y + place.y), fragment);
+      }
+      for (std::size_t k = 0; k < sample_places.size(); ++k) {
+        const double dx = std::abs(x + sample_places[k].x - vertex.x), dy = std::abs(y + sample_places[k].y - vertex.y);
+        const double outside = (sink.points.sprite ? std::max(dx, dy) : std::hypot(dx, dy)) - half;
+        fragment.may_be_absent = outside > -edge_slack;
+        if (outside < edge_slack) sink.give(fragment, k);
+      }
+    }
+  }
+}
+
+/// Multisampled points that are too small are drawn larger, and fade by their area [GL1.5 §3.3].
+double faded(const FragmentSink& sink, double& size_px) {
+  const auto threshold = static_cast<double>(sink.points.fade_threshold_px);
+  if (!sink.multisample.enabled || size_px >= threshold) return 1;
+  const double ratio = size_px / threshold;
+  size_px = threshold;
+  return ratio * ratio;
 }
 }  // namespace
 
 void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px) {
   Fragment fragment;
+  fragment.coverage = faded(sink, size_px);
   fragment.face = sink.face;
   const std::array<VertexShare, 1> shares{VertexShare{&vertex.colors, 1, 0, 0}};
   const Color primary = color_of(sink, sink.flat_colors ? *sink.flat_colors : vertex.colors);
@@ -246,17 +355,18 @@ void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, doubl
     fragment.depth_lowest -= sink.depth_slack;
     fragment.depth_highest += sink.depth_slack;
   }
+  if (sink.multisample.enabled) return sample_point(sink, vertex, size_px, fragment);
   const auto each_pixel = [&](int x0, int y0, int x1, int y1, const auto& coverage_of) {
     for (fragment.y = y0; fragment.y < y1; ++fragment.y) {
       for (fragment.x = x0; fragment.x < x1; ++fragment.x) {
         fragment.coverage = coverage_of(fragment.x, fragment.y);
         fragment.coverage_slack = sink.points.smooth && fragment.coverage < 1 ? disc_slack : 0;
         if (sprite) {
-          const TextureCoordinate over_sprite = sprite_coordinate(vertex, size_px, fragment.x, fragment.y);
+          const TextureCoordinate over_sprite = sprite_coordinate(vertex, size_px, fragment.x + 0.5, fragment.y + 0.5);
           fragment.extrapolated = false;
           set_color(shade(sink, primary, shares, &over_sprite), fragment);
         }
-        if (fragment.coverage >= least_coverage) write_fragment(*sink.picture, sink.state, fragment);
+        if (fragment.coverage >= least_coverage) sink.give(fragment);
       }
     }
   };

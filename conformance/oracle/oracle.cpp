@@ -6,12 +6,14 @@
 
 #include "conformance/oracle/accumulation.h"
 #include "conformance/oracle/assembly.h"
+#include "conformance/oracle/blits.h"
 #include "conformance/oracle/clipping.h"
 #include "conformance/oracle/fragments.h"
 #include "conformance/oracle/lighting.h"
 #include "conformance/oracle/pixel_rectangles.h"
 #include "conformance/oracle/positions.h"
 #include "conformance/oracle/rasterize.h"
+#include "conformance/oracle/targets.h"
 #include "conformance/oracle/texture_coordinates.h"
 #include "conformance/oracle/fog.h"
 
@@ -26,16 +28,17 @@ template <typename T>
 class Draw {
  public:
   Draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
-       OraclePicture& picture, Carried& carried)
+       Samples& samples, Carried& carried)
       : state_(state), smooth_parts_(carried.smooth_parts), stipple_count_(carried.stipple_count), clipped_quads_(carried.clipped_quads) {
-    sink_.picture = &picture;
+    sink_.samples = &samples;
+    sink_.multisample = state.multisample;
     sink_.state = state.raster;
     sink_.subpixel_bits = subpixel_bits<T>;
     sink_.points = state.points;
     sink_.lines = state.lines;
     sink_.texturing = state.texturing;
     sink_.has_secondary = state.lighting.enabled ? state.lighting.separate_specular : state.color_sum;
-    if (picture.depth_bits > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(picture.depth_bits);
+    if (sink_.depth_bits() > 0) sink_.depth_slack = options.depth_slack_units / depth_units_of(sink_.depth_bits());
 
     const auto matrix = combined_matrix<T>(state.transform);
     const auto modelview = modelview_matrix<T>(state.transform);
@@ -49,7 +52,7 @@ class Draw {
       vertices_.push_back({to_clip_space<T>(matrix, position), colors, to_clip_space<T>(modelview, position)});
       sizes_.push_back(point_size(position));
     }
-    picture.knife_edge_vertices += lighting.knife_edges();
+    samples.front().knife_edge_vertices += lighting.knife_edges();
   }
 
   /// A Begin, or the next of independent lines.
@@ -247,7 +250,7 @@ class Draw {
   }
 
   double offset_of(const std::array<WindowVertex, 3>& triangle) const {
-    return polygon_offset(state_.polygons, sink_.picture->depth_bits, triangle);
+    return polygon_offset(state_.polygons, sink_.depth_bits(), triangle);
   }
 
   /// The specification says nothing of the order, which decides where edges meet in a pixel. Mesa draws the edges 2-0,
@@ -282,8 +285,8 @@ void apply_edge_flags(const pipeline::VertexBatch& batch, const pipeline::Primit
 
 template <typename T>
 void draw_batch(const pipeline::DrawState& state, const pipeline::VertexBatch& batch, const OracleOptions& options,
-                OraclePicture& picture, Carried& carried) {
-  Draw<T> draw(state, batch, options, picture, carried);
+                Samples& samples, Carried& carried) {
+  Draw<T> draw(state, batch, options, samples, carried);
   for (std::size_t i = 0; i < batch.primitives.size(); ++i) {
     const pipeline::PrimitiveRange& range = batch.primitives[i];
     if (range.begins) draw.reset_stipple();
@@ -321,36 +324,50 @@ PixelError measure_content(const OraclePixel& pixel, bool extrapolated, const st
 
 }  // namespace
 
-Oracle::Oracle(const OracleOptions& options) : options_(options) {}
+Oracle::Oracle(const OracleOptions& options) : options_(options), targets_(std::make_unique<Targets>()) {}
 Oracle::~Oracle() = default;
 
-void Oracle::target_changed(int width_px, int height_px, int depth_bits, int /*stencil_bits*/) {
-  picture_ = make_picture(width_px, height_px, depth_bits);
+void Oracle::target_changed(const pipeline::Framebuffer& target) {
+  target_ = target;
+  samples_ = &targets_->pictures_of(target);
 }
+
+const OraclePicture& Oracle::picture() const { return samples_->front(); }
 
 void Oracle::draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) {
   if (options_.positions == PositionModel::snapped) {
-    draw_batch<float>(state, batch, options_, picture_, carried_);
+    draw_batch<float>(state, batch, options_, *samples_, carried_);
   } else {
-    draw_batch<double>(state, batch, options_, picture_, carried_);
+    draw_batch<double>(state, batch, options_, *samples_, carried_);
   }
 }
 
 void Oracle::rectangle(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
                        const pipeline::PixelRectangle& rectangle) {
-  draw_rectangle(picture_, state, source, rectangle);
+  draw_rectangle(*samples_, state, source, rectangle);
 }
 
 void Oracle::bitmap(const pipeline::DrawState& state, const pipeline::FragmentSource& source, const pipeline::Bitmap& bitmap) {
-  draw_bitmap(picture_, state, source, bitmap);
+  draw_bitmap(*samples_, state, source, bitmap);
 }
 
 void Oracle::clear(const pipeline::ClearState& state) {
-  clear_picture(picture_, state);
+  for (OraclePicture& picture : *samples_) clear_picture(picture, state);
 }
 
 void Oracle::accumulate(const pipeline::AccumState& state) {
-  accumulate_picture(picture_, state);
+  for (OraclePicture& picture : *samples_) accumulate_picture(picture, state);
+}
+
+void Oracle::blit(const pipeline::Framebuffer& source, const pipeline::Blit& wanted) {
+  const Samples from = targets_->pictures_of(source);  // a copy: it may be the target itself
+  samples_ = &targets_->pictures_of(target_);
+  pipeline::Blit blit = wanted;
+  blit.color &= !source.color.empty() && !target_.color.empty();
+  blit.depth &= source.has_depth && target_.has_depth;
+  blit.stencil &= source.stencil_bits > 0 && target_.stencil_bits > 0;
+  samples_->front().knife_edge_vertices += from.front().knife_edge_vertices;
+  blit_samples(from, *samples_, blit, target_.color_channels);
 }
 
 std::size_t OraclePicture::count(std::uint8_t flag_bits) const {

@@ -1,5 +1,6 @@
 // The oracle: what the picture is by the specification, in double and exact integers, one plain page per stage. It sees
-// the same draws as the pipeline (as a DrawObserver), shares only the data headers with it, and keeps its own picture.
+// the same draws as the pipeline (as a DrawObserver), shares only the data headers with it, and keeps its own pictures: of
+// every framebuffer, one a sample (targets.h).
 //
 // What is taken as given, and what is exact from there on (PositionModel::snapped, the default):
 // - Window positions (x, y, z, 1/w) are those of the float chain that MESA-RULES 2.2-2.4 prescribes, clipping included;
@@ -14,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -100,6 +102,7 @@ PixelError measure(const OraclePicture& picture, int x, int y, const std::array<
                    std::uint32_t depth, bool compare_depth = true);
 
 struct SmoothPart;  // rasterize.h
+class Targets;      // targets.h
 
 /// What goes on where a batch was cut.
 struct Carried {
@@ -108,7 +111,7 @@ struct Carried {
   std::vector<SmoothPart> smooth_parts;  ///< of the smooth polygon that is being drawn
 };
 
-/// Install with gouraud::set_draw_observer. Every draw and clear is carried out at once, on the calling thread.
+/// Install with gouraud::set_draw_observer. Every draw, clear and blit is carried out at once, on the calling thread.
 class Oracle : public pipeline::DrawObserver {
  public:
   explicit Oracle(const OracleOptions& options = {});
@@ -116,20 +119,25 @@ class Oracle : public pipeline::DrawObserver {
   Oracle(const Oracle&) = delete;
   Oracle& operator=(const Oracle&) = delete;
 
-  void target_changed(int width_px, int height_px, int depth_bits, int stencil_bits) override;
+  void target_changed(const pipeline::Framebuffer& target) override;
   void draw(const pipeline::DrawState& state, const pipeline::VertexBatch& batch) override;
   void clear(const pipeline::ClearState& state) override;
   void accumulate(const pipeline::AccumState& state) override;
+  void blit(const pipeline::Framebuffer& source, const pipeline::Blit& blit) override;
   void rectangle(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
                  const pipeline::PixelRectangle& rectangle) override;
   void bitmap(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
               const pipeline::Bitmap& bitmap) override;
 
-  const OraclePicture& picture() const { return picture_; }
+  /// Of the target; of several samples the first one's.
+  const OraclePicture& picture() const;
+  const std::vector<OraclePicture>& samples() const { return *samples_; }
 
  private:
   OracleOptions options_;
-  OraclePicture picture_;
+  std::unique_ptr<Targets> targets_;
+  pipeline::Framebuffer target_;
+  std::vector<OraclePicture>* samples_ = nullptr;  ///< the target's
   Carried carried_;
 };
 

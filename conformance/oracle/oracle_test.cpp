@@ -15,7 +15,7 @@ using pipeline::PrimitiveMode;
 
 TEST(Oracle, NewTargetsAreZero) {
   Oracle oracle;
-  oracle.target_changed(3, 2, 16, 0);
+  oracle.target_changed(test_target(3, 2, 16));
   EXPECT_EQ(oracle.picture().pixels.size(), 6u);
   EXPECT_EQ(oracle.picture().pixels[5], OraclePixel{});
   EXPECT_EQ(oracle.picture().depth_bits, 16);

@@ -50,17 +50,21 @@ void take_pixel(const PixelImage& image, int column, int row, Fragment& fragment
   }
 }
 
-void write(OraclePicture& picture, const pipeline::DrawState& state, Fragment fragment) {
+/// All samples get the pixel's fragment.
+void write(Samples& samples, const pipeline::DrawState& state, Fragment fragment) {
   fragment.color_lowest = fragment.color_highest = fragment.color;
   fragment.depth_lowest = fragment.depth_highest = fragment.depth;
-  write_fragment(picture, state.raster, fragment);
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    if ((state.multisample.sample_mask >> k & 1) != 0) write_fragment(samples[k], state.raster, fragment, k);
+  }
 }
 
 }  // namespace
 
-void draw_rectangle(OraclePicture& picture, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+void draw_rectangle(Samples& samples, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
                     const pipeline::PixelRectangle& rectangle) {
   const PixelImage& image = *rectangle.image;
+  const OraclePicture& picture = samples.front();
   const auto columns = sources(rectangle.x, rectangle.zoom_x, rectangle.first_column, image.width_px, picture.width_px);
   const auto rows = sources(rectangle.y, rectangle.zoom_y, rectangle.first_row, image.height_px, picture.height_px);
   for (int y = 0; y < picture.height_px; ++y) {
@@ -69,17 +73,17 @@ void draw_rectangle(OraclePicture& picture, const pipeline::DrawState& state, co
       if (column < 0 || row < 0) continue;
       Fragment fragment = fragment_of(source, x, y);
       take_pixel(image, column, row, fragment);
-      write(picture, state, fragment);
+      write(samples, state, fragment);
     }
   }
 }
 
-void draw_bitmap(OraclePicture& picture, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+void draw_bitmap(Samples& samples, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
                  const pipeline::Bitmap& bitmap) {
   for (int j = 0; j < bitmap.height_px; ++j) {
     for (int i = 0; i < bitmap.width_px; ++i) {
       if ((bitmap.rows[j * bitmap.row_bytes + i / 8] >> i % 8 & 1) == 0) continue;
-      write(picture, state, fragment_of(source, bitmap.x + i, bitmap.y + j));
+      write(samples, state, fragment_of(source, bitmap.x + i, bitmap.y + j));
     }
   }
 }

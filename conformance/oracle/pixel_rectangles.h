@@ -3,13 +3,14 @@
 #pragma once
 
 #include "conformance/oracle/fragments.h"
+#include "conformance/oracle/targets.h"
 #include "pipeline/draw/draw_observer.h"
 
 namespace gouraud::oracle {
 
-void draw_rectangle(OraclePicture& picture, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+void draw_rectangle(Samples& samples, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
                     const pipeline::PixelRectangle& rectangle);
-void draw_bitmap(OraclePicture& picture, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
+void draw_bitmap(Samples& samples, const pipeline::DrawState& state, const pipeline::FragmentSource& source,
                  const pipeline::Bitmap& bitmap);
 
 }  // namespace gouraud::oracle

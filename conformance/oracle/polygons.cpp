@@ -70,8 +70,9 @@ class Interpolation {
   Color color(const Vector3& weight) const {
     if (flat_) return colors_[0];
     const auto& [a, b, c] = vertices_;
-    const double q = in_range(weight[0] * a.w_inverse + weight[1] * b.w_inverse + weight[2] * c.w_inverse, a.w_inverse,
-                              b.w_inverse, c.w_inverse);
+    // Beyond the horizon the plane's last colours count.
+    const double horizon = std::min({a.w_inverse, b.w_inverse, c.w_inverse}) * 1e-6;
+    const double q = std::max(weight[0] * a.w_inverse + weight[1] * b.w_inverse + weight[2] * c.w_inverse, horizon);
     Color out;
     for (std::size_t i = 0; i < 4; ++i) {
       const double sum = weight[0] * a.w_inverse * colors_[0][i] + weight[1] * b.w_inverse * colors_[1][i] +
@@ -81,8 +82,8 @@ class Interpolation {
     return out;
   }
 
-  /// With the textures [GL1.5 §3.8].
-  TexturedColor shaded(const Vector3& weight) const {
+  /// With the textures [GL1.5 §3.8]; `in_range` keeps their coordinates in the range of the vertices.
+  TexturedColor shaded(const Vector3& weight, bool in_range = false) const {
     const Color primary = color(weight);
     if (sink_.texturing.count == 0) return {primary, primary, primary};
     const auto& [a, b, c] = vertices_;
@@ -95,7 +96,7 @@ class Interpolation {
       const double q = vertices_[i].w_inverse;
       shares[i] = {&vertices_[i].colors, weight[i] * q, ddx[i] * q, ddy[i] * q};
     }
-    return shade(sink_, primary, shares);
+    return shade(sink_, primary, shares, nullptr, in_range);
   }
 
   double fog_coordinate(const Vector3& weight) const {
@@ -136,16 +137,32 @@ Vector3 moved_inside(Vector3 weight) {
 /// A colour that changes by more within half a sub-pixel is not resolved.
 constexpr double resolved = 1.0 / 255;
 
+void set_depth(const Interpolation& values, const Vector3& weight, Fragment& fragment) {
+  fragment.depth = fragment.depth_lowest = fragment.depth_highest = values.depth(weight);
+}
+
+/// Widens the bounds of a depth at (x, y), which only snapping covers, by those that the triangle has within half a sub-pixel.
+void bound_depth(const Interpolation& values, int subpixel_bits, double x, double y, Fragment& fragment) {
+  fragment.extrapolated = true;
+  const double reach = std::ldexp(0.5, -subpixel_bits);
+  for (const double dx : {-reach, reach}) {
+    for (const double dy : {-reach, reach}) {
+      const double depth = values.depth(moved_inside(values.barycentric(x + dx, y + dy)));
+      fragment.depth_lowest = std::min(fragment.depth_lowest, depth);
+      fragment.depth_highest = std::max(fragment.depth_highest, depth);
+    }
+  }
+  if (values.has_area()) return;
+  fragment.depth_lowest = values.lowest_depth();
+  fragment.depth_highest = values.highest_depth();
+}
+
 /// Widens the fragment's bounds by the values that the triangle has within half a sub-pixel; if those are not resolved,
 /// by all values of the triangle (PixelFlags).
 void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragment& fragment) {
   fragment.extrapolated = true;
   const auto include = [&](const Vector3& weight) {
-    const TexturedColor color = values.shaded(weight);
-    for (std::size_t i = 0; i < 4; ++i) {
-      fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color.lowest[i]);
-      fragment.color_highest[i] = std::max(fragment.color_highest[i], color.highest[i]);
-    }
+    include_color(values.shaded(weight), fragment);
     fragment.depth_lowest = std::min(fragment.depth_lowest, values.depth(weight));
     fragment.depth_highest = std::max(fragment.depth_highest, values.depth(weight));
   };
@@ -164,13 +181,19 @@ void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragmen
 /// Barycentric coordinates of samples inside err by less.
 constexpr double rounding = 1e-12;
 
-void offset_and_write(const FragmentSink& sink, Fragment& fragment) {
+void offset_depth(const FragmentSink& sink, Fragment& fragment) {
   fragment.depth += sink.depth_offset;
   // The slope is known to within rounding alone.
   const double slack = sink.depth_offset != 0 ? sink.depth_slack : 0.0;
   fragment.depth_lowest += sink.depth_offset - slack;
   fragment.depth_highest += sink.depth_offset + slack;
-  write_fragment(*sink.picture, sink.state, fragment);
+}
+
+/// With the slack and the polygon's offset.
+void finish_depth(const FragmentSink& sink, const Interpolation& values, Fragment& fragment) {
+  fragment.depth_lowest = std::max(fragment.depth_lowest - sink.depth_slack, values.lowest_depth());
+  fragment.depth_highest = std::min(fragment.depth_highest + sink.depth_slack, values.highest_depth());
+  offset_depth(sink, fragment);
 }
 
 /// By the polygon stipple [GL1.5 §3.5.2].
@@ -187,13 +210,60 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
   fragment.y = y;
   set_color(values.shaded(weight), fragment);
   fragment.fog_coordinate = values.fog_coordinate(weight);
-  fragment.depth = fragment.depth_lowest = fragment.depth_highest = values.depth(weight);
+  set_depth(values, weight, fragment);
   if (!values.has_area() || std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
     bound_extrapolation(values, sink.subpixel_bits, fragment);
   }
-  fragment.depth_lowest = std::max(fragment.depth_lowest - sink.depth_slack, values.lowest_depth());
-  fragment.depth_highest = std::min(fragment.depth_highest + sink.depth_slack, values.highest_depth());
-  offset_and_write(sink, fragment);
+  finish_depth(sink, values, fragment);
+  sink.give(fragment);
+}
+
+/// Data of all samples at once may be those of any place in the pixel [GL1.5 §3.5.6]. Where the pixel's centre is inside
+/// the triangle they are those of the centre; else any that the triangle has in the pixel, or the centre's, kept in the
+/// range of the vertices.
+Fragment shaded_once(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices, const Interpolation& values, int x, int y) {
+  const Vector3 center = values.barycentric(x + 0.5, y + 0.5);
+  Fragment fragment;
+  fragment.face = sink.face;
+  fragment.x = x;
+  fragment.y = y;
+  const bool inside = values.has_area() && std::ranges::none_of(center, [](double w) { return w < -rounding; });
+  Vector3 place = center;
+  Outline shared;
+  if (!inside) {
+    shared = clipped_to_pixel({{vertices[0].x, vertices[0].y}, {vertices[1].x, vertices[1].y}, {vertices[2].x, vertices[2].y}}, x, y);
+    const bool has_place = area_of(shared) > 0;
+    const Place middle = has_place ? centroid_of(shared) : Place{};
+    place = moved_inside(has_place ? values.barycentric(middle.x, middle.y) : center);
+  }
+  set_color(values.shaded(place), fragment);
+  fragment.fog_coordinate = values.fog_coordinate(place);
+  if (inside) return fragment;
+
+  fragment.extrapolated = true;
+  const auto include = [&](const Vector3& weight, bool in_range) { include_color(values.shaded(weight, in_range), fragment); };
+  include(center, true);
+  for (const Place& corner : shared) include(moved_inside(values.barycentric(corner.x, corner.y)), false);
+  if (shared.empty() || !values.has_area()) {
+    for (const Vector3& corner : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) include(corner, false);
+  }
+  return fragment;
+}
+
+/// Depths are each sample's own.
+void give_to_samples(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices, const Interpolation& values, int x, int y, unsigned covered) {
+  const Fragment shaded = shaded_once(sink, vertices, values, x, y);
+  for (std::size_t k = 0; k < sample_places.size(); ++k) {
+    if ((covered >> k & 1) == 0) continue;
+    Fragment fragment = shaded;
+    const Vector3 weight = values.barycentric(x + sample_places[k].x, y + sample_places[k].y);
+    set_depth(values, weight, fragment);
+    if (!values.has_area() || std::ranges::any_of(weight, [](double w) { return w < -rounding; })) {
+      bound_depth(values, sink.subpixel_bits, x + sample_places[k].x, y + sample_places[k].y, fragment);
+    }
+    finish_depth(sink, values, fragment);
+    sink.give(fragment, k);
+  }
 }
 
 Outline outline_of(const SmoothPart& part) {
@@ -220,7 +290,8 @@ void make_smooth_fragment(const SmoothPart& part, int x, int y, double coverage)
   fragment.depth = values.depth(weight);
   fragment.depth_lowest = fragment.depth - sink.depth_slack;
   fragment.depth_highest = fragment.depth + sink.depth_slack;
-  offset_and_write(sink, fragment);
+  offset_depth(sink, fragment);
+  sink.give(fragment);
 }
 
 }  // namespace
@@ -250,19 +321,35 @@ void rasterize_triangle(const FragmentSink& sink, const std::array<WindowVertex,
   const std::array<Edge, 3> edges{Edge(a, b), Edge(b, c), Edge(c, a)};
   const Interpolation values(sink, vertices);
 
-  // Every pixel whose centre is in the triangle's box and that may be written.
+  const auto is_covered = [&edges](const SubpixelPoint& sample) {
+    return std::ranges::all_of(edges, [&sample](const Edge& edge) { return edge.covers(sample); });
+  };
+
+  // Every pixel that may have a sample in the triangle's box and that may be written. (0, 0) is a pixel's centre.
+  const bool apart = sink.multisample.enabled;
+  const std::int64_t reach = apart ? 1 : 0;
   const auto [left, right] = std::minmax({a.x, b.x, c.x});
   const auto [bottom, top] = std::minmax({a.y, b.y, c.y});
   const pipeline::PixelRect& box = sink.state.scissor;
-  const std::int64_t x0 = std::max<std::int64_t>(left >> sink.subpixel_bits, box.x0);
-  const std::int64_t x1 = std::min<std::int64_t>(right >> sink.subpixel_bits, box.x1 - 1);
-  const std::int64_t y0 = std::max<std::int64_t>(bottom >> sink.subpixel_bits, box.y0);
-  const std::int64_t y1 = std::min<std::int64_t>(top >> sink.subpixel_bits, box.y1 - 1);
-  for (std::int64_t y = y0; y <= y1; ++y) {
-    for (std::int64_t x = x0; x <= x1; ++x) {
-      const SubpixelPoint sample{x << sink.subpixel_bits, y << sink.subpixel_bits};
-      const bool covered = std::ranges::all_of(edges, [&sample](const Edge& edge) { return edge.covers(sample); });
-      if (covered && is_kept(sink, static_cast<int>(x), static_cast<int>(y))) make_fragment(sink, values, static_cast<int>(x), static_cast<int>(y));
+  const auto x0 = static_cast<int>(std::max<std::int64_t>((left >> sink.subpixel_bits) - reach, box.x0));
+  const auto x1 = static_cast<int>(std::min<std::int64_t>((right >> sink.subpixel_bits) + reach, box.x1 - 1));
+  const auto y0 = static_cast<int>(std::max<std::int64_t>((bottom >> sink.subpixel_bits) - reach, box.y0));
+  const auto y1 = static_cast<int>(std::min<std::int64_t>((top >> sink.subpixel_bits) + reach, box.y1 - 1));
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      if (!is_kept(sink, x, y)) continue;
+      const SubpixelPoint center{std::int64_t{x} << sink.subpixel_bits, std::int64_t{y} << sink.subpixel_bits};
+      if (!apart) {
+        if (is_covered(center)) make_fragment(sink, values, x, y);
+        continue;
+      }
+      unsigned covered = 0;
+      for (std::size_t k = 0; k < sample_places.size(); ++k) {
+        const auto subpixels = [&](double from_center) { return static_cast<std::int64_t>(std::ldexp(from_center, sink.subpixel_bits)); };
+        const SubpixelPoint sample{center.x + subpixels(sample_places[k].x - 0.5), center.y + subpixels(sample_places[k].y - 0.5)};
+        if (sink.draws(k) && is_covered(sample)) covered |= 1u << k;
+      }
+      if (covered != 0) give_to_samples(sink, vertices, values, x, y, covered);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "conformance/oracle/fragments.h"
+#include "conformance/oracle/targets.h"
 #include "conformance/oracle/vertex.h"
 
 namespace gouraud::oracle {
@@ -18,7 +19,8 @@ Integer doubled_area(const SubpixelPoint& a, const SubpixelPoint& b, const Subpi
 
 /// What fragments are made for, and where they go.
 struct FragmentSink {
-  OraclePicture* picture = nullptr;
+  Samples* samples = nullptr;
+  pipeline::MultisampleState multisample{};
   pipeline::RasterState state{};
   int subpixel_bits = 8;
   /// Flat colour; null: colours are interpolated.
@@ -30,6 +32,18 @@ struct FragmentSink {
   double depth_offset = 0;     ///< of polygons, in window z [GL1.5 §3.5.5]
   pipeline::PointState points{};
   pipeline::LineState lines{};
+
+  int depth_bits() const { return samples->front().depth_bits; }
+  /// Whether sample k is drawn at all (SAMPLE_COVERAGE).
+  bool draws(std::size_t k) const { return k < samples->size() && (multisample.sample_mask >> k & 1) != 0; }
+  /// To sample k alone.
+  void give(const Fragment& fragment, std::size_t k) const {
+    if (draws(k)) write_fragment((*samples)[k], state, fragment, k);
+  }
+  /// To all samples that are drawn.
+  void give(const Fragment& fragment) const {
+    for (std::size_t k = 0; k < samples->size(); ++k) give(fragment, k);
+  }
 };
 
 /// [GL1.5 §3.5.5 eqs 3.8, 3.9] of a triangle, in window z. r is one step of the depth buffer.
@@ -47,6 +61,7 @@ struct SmoothPart {
 void rasterize_smooth_polygon(const std::vector<SmoothPart>& parts);
 /// `stipple_count` fragments (or unit rectangles) of stippled lines came before [GL1.5 §3.4.2]; it is moved on.
 void rasterize_line(const FragmentSink& sink, const std::array<WindowVertex, 2>& vertices, std::int64_t& stipple_count);
+/// Where multisampled, rectangles and discs that have the samples inside them [GL1.5 §3.3.3, §3.4.4].
 /// `size_px` is not rounded yet.
 void rasterize_point(const FragmentSink& sink, const WindowVertex& vertex, double size_px);
 

@@ -1,11 +1,12 @@
 #include "conformance/oracle/shading.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace gouraud::oracle {
 namespace {
 
-TextureCoordinate interpolated(std::span<const VertexShare> shares, std::size_t unit) {
+TextureCoordinate interpolated(std::span<const VertexShare> shares, std::size_t unit, bool in_range) {
   double sum = 0, sum_x = 0, sum_y = 0;
   for (const VertexShare& s : shares) {
     sum += s.share;
@@ -26,6 +27,13 @@ TextureCoordinate interpolated(std::span<const VertexShare> shares, std::size_t 
     out.value[c] = constant ? shares[0].vertex->texture_coordinates[unit][c] : value / sum;
     out.ddx[c] = constant ? 0 : (ddx * sum - value * sum_x) / (sum * sum);
     out.ddy[c] = constant ? 0 : (ddy * sum - value * sum_y) / (sum * sum);
+    if (!in_range) continue;
+    double lowest = shares[0].vertex->texture_coordinates[unit][c], highest = lowest;
+    for (const VertexShare& s : shares) {
+      lowest = std::min(lowest, s.vertex->texture_coordinates[unit][c]);
+      highest = std::max(highest, s.vertex->texture_coordinates[unit][c]);
+    }
+    out.value[c] = out.value[c] >= lowest ? std::min(out.value[c], highest) : lowest;
   }
   return out;
 }
@@ -55,13 +63,20 @@ void set_color(const TexturedColor& color, Fragment& fragment) {
   fragment.color_highest = color.highest;
 }
 
+void include_color(const TexturedColor& color, Fragment& fragment) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    fragment.color_lowest[i] = std::min(fragment.color_lowest[i], color.lowest[i]);
+    fragment.color_highest[i] = std::max(fragment.color_highest[i], color.highest[i]);
+  }
+}
+
 TexturedColor shade(const FragmentSink& sink, const Color& primary, std::span<const VertexShare> shares,
-                    const TextureCoordinate* sprite) {
+                    const TextureCoordinate* sprite, bool in_range) {
   if (sink.texturing.count == 0) return {primary, primary, primary};
   std::vector<TextureCoordinate> coordinates;
   for (std::size_t i = 0; i < sink.texturing.count; ++i) {
     const bool replaced = sprite != nullptr && (sink.texturing.sprite_units >> sink.texturing.unit[i].unit & 1) != 0;
-    coordinates.push_back(replaced ? *sprite : interpolated(shares, i));
+    coordinates.push_back(replaced ? *sprite : interpolated(shares, i, in_range));
   }
   TexturedColor out = apply_textures(sink.texturing, primary, coordinates);
   if (sink.has_secondary) add_secondary(sink, shares, out);

@@ -54,10 +54,20 @@ inline std::unique_ptr<pipeline::VertexBatch> make_batch(pipeline::PrimitiveMode
   return batch;
 }
 
+/// A framebuffer without planes: the oracle has its own pictures.
+inline pipeline::Framebuffer test_target(int width_px, int height_px, int depth_bits, int samples = 1) {
+  pipeline::Framebuffer target;
+  target.width_px = width_px;
+  target.height_px = height_px;
+  target.depth_format = depth_bits == 16 ? pipeline::DepthFormat::z16 : depth_bits == 24 ? pipeline::DepthFormat::z24s8 : pipeline::DepthFormat::none;
+  target.samples = samples;
+  return target;
+}
+
 /// An oracle with a 64x64 target of 24-bit depth, cleared to black and the farthest depth.
 struct TestOracle : Oracle {
   explicit TestOracle(const OracleOptions& options = {}, int depth_bits = 24) : Oracle(options) {
-    target_changed(test_size, test_size, depth_bits, 0);
+    target_changed(test_target(test_size, test_size, depth_bits));
     pipeline::ClearState all;
     all.color = all.depth = true;
     all.scissor = {0, 0, test_size, test_size};

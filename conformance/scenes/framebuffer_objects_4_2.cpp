@@ -1,37 +1,13 @@
-// Framebuffer objects [ARB_framebuffer_object], multisampling [GL1.5 §3.2.1, §4.1.3] and clip control [ARB_clip_control].
+// Framebuffer objects [ARB_framebuffer_object] and clip control [ARB_clip_control].
 //
 // Pictures are drawn into textures first, and then the window shows them: the oracle judges that by the texels that ours
-// holds, and llvmpipe the whole. The oracle does not follow blits: of those llvmpipe is the judge.
+// holds, and llvmpipe the whole. The oracle follows blits.
+#include "conformance/scenes/framebuffer_shapes.h"
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/texture_shapes.h"
 
 namespace gouraud::conformance {
 namespace {
-
-GLuint bind_framebuffer(const GlTable& gl) {
-  GLuint name = 0;
-  gl.GenFramebuffers(1, &name);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, name);
-  return name;
-}
-
-GLuint attach_renderbuffer(const GlTable& gl, GLenum attachment, GLenum format, int samples, int side) {
-  GLuint name = 0;
-  gl.GenRenderbuffers(1, &name);
-  gl.BindRenderbuffer(GL_RENDERBUFFER, name);
-  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, side, side);
-  gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
-  return name;
-}
-
-/// What is drawn into the pictures: a ring over a ground of this colour.
-void draw_ring(const GlTable& gl, int side, float hue) {
-  gl.Viewport(0, 0, side, side);
-  gl.ClearColor(hue, 0.6f - 0.5f * hue, 0.2f, 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  look(gl, {.distance = 3.1f, .pitch_deg = 40, .yaw_deg = 90 * hue});
-  draw_surface(gl, torus(0.95f, 0.38f, 24, 12), [&](const Surface::Point& p) { gl.Color3f(p.u, 0.9f - 0.8f * hue, p.v); });
-}
 
 void back_to_the_window(const GlTable& gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -201,63 +177,59 @@ void blits(const GlTable& gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
-void begin_samples(const GlTable& gl) {
+// All parts of depth and stencil: the same size, cut, mirrored, and stretched to odd sizes.
+void blits_of_depths(const GlTable& gl) {
   bind_framebuffer(gl);
-  attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA8, 4, 256);
-  attach_renderbuffer(gl, GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, 4, 256);
-  clear_background(gl);
-}
-void resolve(const GlTable& gl) {
+  attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA8, 0, 100);
+  attach_renderbuffer(gl, GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8, 0, 100);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.Enable(GL_STENCIL_TEST);
+  gl.ClearStencil(0);
+  gl.Clear(GL_STENCIL_BUFFER_BIT);
+  gl.StencilFunc(GL_ALWAYS, 1, 0xFF);
+  gl.StencilOp(GL_KEEP, GL_INCR, GL_INCR);
+  draw_ring(gl, 100, 0.3f);
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-  gl.BlitFramebuffer(0, 0, 256, 256, 0, 0, 256, 256, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  clear_background(gl);
+  gl.Clear(GL_STENCIL_BUFFER_BIT);
+  constexpr GLbitfield both = GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
+  gl.BlitFramebuffer(0, 0, 100, 100, 10, 10, 110, 110, both, GL_NEAREST);
+  gl.BlitFramebuffer(0, 0, 100, 100, 240, 120, 120, 20, both, GL_NEAREST);
+  gl.BlitFramebuffer(20, 100, 95, 7, 6, 130, 83, 249, both, GL_NEAREST);
+  gl.BlitFramebuffer(0, 0, 100, 100, 100, 130, 240, 240, GL_STENCIL_BUFFER_BIT, GL_NEAREST);
+  // Colours where one, two and more fragments met, and everywhere a little in front of the farthest.
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-}
-
-void resolved_rings(const GlTable& gl) {
-  begin_samples(gl);
-  gl.Enable(GL_DEPTH_TEST);
-  draw_ring(gl, 256, 0.3f);
-  gl.MatrixMode(GL_MODELVIEW);
-  gl.Rotatef(83, 1, 0.2f, 0);
-  draw_surface(gl, torus(0.95f, 0.2f, 24, 12), [&](const Surface::Point& p) { gl.Color3f(0.2f, p.u, p.v); });
-  resolve(gl);
-}
-
-// Fans whose corners lie close together.
-void resolved_slivers(const GlTable& gl) {
-  begin_samples(gl);
+  gl.Viewport(0, 0, 256, 256);
+  gl.StencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+  gl.DepthMask(GL_FALSE);
   pixel_space(gl, 256, 256);
-  Random random(17);
-  gl.Begin(GL_TRIANGLES);
-  for (int i = 0; i < 300; ++i) {
-    color_of(gl, random);
-    const float x = random.range(5, 250), y = random.range(5, 250);
-    for (int k = 0; k < 3; ++k) {
-      const float dx = random.range(-20, 20);
-      gl.Vertex2f(x + dx, y + random.range(-6, 6));
-    }
+  gl.LoadIdentity();
+  for (int count = 1; count < 4; ++count) {
+    gl.StencilFunc(count == 3 ? GL_LEQUAL : GL_EQUAL, count, 0xFF);
+    gl.Color3f(0.3f * static_cast<float>(count), 0.8f, 0.2f);
+    draw_rectangle(gl, 0, 0, 256, 256, 0.9f);
   }
-  gl.End();
-  resolve(gl);
 }
 
-// A fragment's texels, its alpha test and what it is blended with: the tests are about all of its samples or each.
-void resolved_floor(const GlTable& gl) {
-  begin_samples(gl);
+// Interpolated copies: larger, smaller, of a part, mirrored, reaching out of the source.
+void interpolated_blits(const GlTable& gl) {
+  bind_framebuffer(gl);
+  attach_renderbuffer(gl, GL_COLOR_ATTACHMENT0, GL_RGBA8, 0, 100);
+  attach_renderbuffer(gl, GL_DEPTH_ATTACHMENT, GL_DEPTH_COMPONENT24, 0, 100);
   gl.Enable(GL_DEPTH_TEST);
-  gl.Enable(GL_TEXTURE_2D);
-  noise_image(gl, GL_TEXTURE_2D, 0, GL_RGBA, 32, 32, GL_RGBA, 5);
-  filters(gl, GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR);
-  gl.Enable(GL_ALPHA_TEST);
-  gl.AlphaFunc(GL_GREATER, 0.25f);
-  look(gl, {.distance = 2.4f, .pitch_deg = 35});
-  textured_floor(gl, 2);
-  gl.Disable(GL_ALPHA_TEST);
-  gl.Disable(GL_TEXTURE_2D);
-  gl.Enable(GL_BLEND);
-  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  draw_surface(gl, torus(0.7f, 0.3f, 24, 12), [&](const Surface::Point& p) { gl.Color4f(p.u, 1, p.v, 0.6f); });
-  resolve(gl);
+  draw_ring(gl, 100, 0.3f);
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  clear_background(gl);
+  const auto blit = [&](int sx0, int sy0, int sx1, int sy1, int x0, int y0, int x1, int y1) {
+    gl.BlitFramebuffer(sx0, sy0, sx1, sy1, x0, y0, x1, y1, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+  };
+  blit(0, 0, 100, 100, 3, 3, 124, 141);
+  blit(0, 0, 100, 100, 253, 120, 130, 4);
+  blit(10, 20, 41, 52, 5, 150, 120, 250);
+  blit(100, 0, 0, 100, 130, 150, 181, 193);
+  blit(0, 0, 100, 100, 190, 150, 223, 183);
+  blit(-20, -20, 30, 30, 190, 190, 250, 250);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 void clip_control(const GlTable& gl, GLenum origin, GLenum depth, float near) {
@@ -274,8 +246,8 @@ void zero_to_one(const GlTable& gl) { clip_control(gl, GL_LOWER_LEFT, GL_ZERO_TO
 }  // namespace
 
 SceneList framebuffer_object_scenes() {
-  constexpr auto buffers = "§4.2.1", samples = "§3.2.1";
-  constexpr Judge oracle = Judge::oracle_only, llvmpipe = Judge::llvmpipe;
+  constexpr auto buffers = "§4.2.1";
+  constexpr Judge oracle = Judge::oracle_only, both = Judge::textures;
   return {
       {.name = "fbo_texture", .section = buffers, .shows = "A turned picture of a ring, repeated at its edges.", .judge = Judge::textures, .draw = render_to_texture<GL_RGBA8>},
       {.name = "fbo_texture_rgb", .section = buffers, .shows = "The same without alpha.", .judge = Judge::textures, .draw = render_to_texture<GL_RGB8>},
@@ -287,10 +259,9 @@ SceneList framebuffer_object_scenes() {
       {.name = "fbo_generated_levels", .section = buffers, .shows = "A floor of rings that blur into the distance.", .judge = oracle, .draw = generated_levels},
       {.name = "fbo_cube_faces", .section = buffers, .shows = "A ball that shows a ring in each direction.", .judge = oracle, .draw = render_to_cube_faces},
       {.name = "fbo_slices", .section = buffers, .shows = "A slope through four pictures of a ring.", .judge = oracle, .draw = render_to_slices},
-      {.name = "fbo_blits", .section = buffers, .shows = "Six copies of a ring: whole, mirrored, cut, smaller, doubled, in a box.", .judge = llvmpipe, .draw = blits},
-      {.name = "fbo_resolved_rings", .section = samples, .shows = "Two rings through each other, smooth edges.", .judge = llvmpipe, .draw = resolved_rings},
-      {.name = "fbo_resolved_slivers", .section = samples, .shows = "300 slivers with smooth edges.", .judge = llvmpipe, .draw = resolved_slivers},
-      {.name = "fbo_resolved_floor", .section = samples, .shows = "A floor with holes and a pale ring, smooth edges.", .judge = llvmpipe, .draw = resolved_floor},
+      {.name = "fbo_blits", .section = buffers, .shows = "Six copies of a ring: whole, mirrored, cut, smaller, doubled, in a box.", .judge = both, .draw = blits},
+      {.name = "fbo_blits_of_depths", .section = buffers, .shows = "Three rings by their depths and stencils, and the stencil of a fourth.", .judge = oracle, .draw = blits_of_depths},
+      {.name = "fbo_blits_interpolated", .section = buffers, .shows = "Six copies of a ring: larger, mirrored, a part, smaller, beyond its edge.", .judge = oracle, .draw = interpolated_blits},
       {.name = "clip_control_upper_left", .section = "§2.11.1", .shows = "A ring upside down, cut by the near plane.", .judge = Judge::polygons, .draw = upper_left},
       {.name = "clip_control_zero_to_one", .section = "§2.11.1", .shows = "The ring, cut further away.", .judge = Judge::polygons, .draw = zero_to_one},
   };

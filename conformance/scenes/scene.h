@@ -18,7 +18,6 @@ enum class Judge {
   polygons,  ///< coverage equal to llvmpipe's and the oracle's; colours within 1/255 of both; depth by the oracle
   lines_and_points,  ///< the oracle judges; llvmpipe may differ in at most 0.5 % of the pixels drawn
   oracle_only,       ///< Mesa's pictures are reported, not judged (the scene's comment says why)
-  llvmpipe,          ///< the oracle does not follow: as textures, but by llvmpipe alone
 };
 
 struct Scene {

@@ -50,7 +50,8 @@ SceneList logic_op_scenes();         // §4.1.10
 SceneList mask_and_clear_scenes();   // §4.2.2, §4.2.3
 SceneList evaluator_scenes();        // §5.1
 SceneList buffer_scenes();           // §4.2.1, §4.2.3, §4.2.4
-SceneList framebuffer_object_scenes();  // §4.2.1, §3.2.1, §2.11.1
+SceneList framebuffer_object_scenes();  // §4.2.1, §2.11.1
+SceneList multisampling_scenes();       // §3.2.1, §3.3.3, §3.4.4, §3.5.6, §4.1.3
 SceneList display_list_scenes();     // §5.4
 
 }  // namespace gouraud::conformance

@@ -352,4 +352,17 @@ struct AccumState {
   bool operator==(const AccumState&) const = default;
 };
 
+/// From edge to edge; an edge after its opposite flips.
+struct BlitRect {
+  std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// glBlitFramebuffer [ARB_framebuffer_object].
+struct Blit {
+  BlitRect source, destination;
+  PixelRect scissor{};  ///< of the destination, inside it
+  bool color = false, depth = false, stencil = false;
+  bool linear = false;  ///< colour between pixels is interpolated; else that of the nearest pixel is taken
+};
+
 }  // namespace gouraud::pipeline

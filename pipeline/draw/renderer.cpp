@@ -309,9 +309,9 @@ void Renderer::set_receiver(PrimitiveReceiver* receiver) { implementation_->rece
 
 void Renderer::set_observer(DrawObserver* observer) {
   implementation_->observer = observer;
-  if (const Framebuffer* target = this->target(); observer != nullptr && target != nullptr) {
-    observer->target_changed(target->width_px, target->height_px, depth_bits(target->depth_format), target->stencil_bits);
-  }
+  if (observer == nullptr || target() == nullptr) return;
+  finish();
+  observer->target_changed(*target());
 }
 
 void Renderer::set_watch(const Watch& watch) { implementation_->watch = watch; }

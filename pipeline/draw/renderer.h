@@ -64,6 +64,8 @@ class Renderer {
   void draw_rectangle(const PixelDraw& draw, const FragmentSource& source, const PixelRectangle& rectangle);
   /// Draws what is pending, then writes.
   void write_rectangle(const DirectRectangle& rectangle);
+  /// Draws what is pending, then copies from another framebuffer (pipeline/framebuffer/blit.h).
+  void blit(const Framebuffer& source, const Blit& blit);
 
   /// The batch's first vertex through the vertex stages of a reporting plan; draws nothing.
   ProcessedVertex process_vertex(const DrawState& state, const Plan& plan, const VertexBatch& batch);

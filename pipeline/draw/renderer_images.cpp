@@ -5,6 +5,8 @@
 #include <new>
 #include <utility>
 
+#include "pipeline/framebuffer/blit.h"
+
 namespace gouraud::pipeline {
 namespace {
 
@@ -128,6 +130,15 @@ void Renderer::write_rectangle(const DirectRectangle& rectangle) {
   for (int sample = 0; sample < target()->samples; ++sample) {
     pipeline::write_rectangle(target()->samples > 1 ? target()->sample(sample) : *target(), rectangle);
   }
+  target_changed();
+}
+
+void Renderer::blit(const Framebuffer& source, const Blit& blit) {
+  if (target() == nullptr) return;
+  finish();
+  if (implementation_->observer != nullptr) implementation_->observer->blit(source, blit);
+  implementation_->dirty = true;
+  pipeline::blit(source, *target(), blit);
   target_changed();
 }
 

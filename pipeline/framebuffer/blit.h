@@ -2,24 +2,10 @@
 // [ARB_framebuffer_object, "Framebuffer Blitting"]. All pending tiles must have been rasterized (Renderer::finish).
 #pragma once
 
-#include <cstdint>
-
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/framebuffer/framebuffer.h"
 
 namespace gouraud::pipeline {
-
-/// From edge to edge; an edge after its opposite flips.
-struct BlitRect {
-  std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
-struct Blit {
-  BlitRect source, destination;
-  PixelRect scissor{};  ///< of the destination, inside it
-  bool color = false, depth = false, stencil = false;
-  bool linear = false;  ///< colour between pixels is interpolated; else that of the nearest pixel is taken
-};
 
 /// Pixels whose place in the source lies outside the source framebuffer stay as they are. Depth formats are equal if
 /// depth is copied; a plane that one of the two lacks is left out. Several samples to one: colours are averaged and

@@ -92,6 +92,20 @@ HWY_INLINE void set_up_depths_of_lanes(TriangleGroup& group, std::size_t first) 
   for (std::size_t i = first; i < first + count && state.polygons.offset_fill; ++i) offset_depth(state, group.record(i).depth);
 }
 
+/// Whether fragments are of samples apart from the pixel's centre.
+HWY_INLINE bool covers_samples(const SetupState& state) { return state.binding->sample_mask != 0 && state.binding->samples_apart; }
+
+/// The range in which fragments' 1/w is kept, relative to the largest vertex's. Where samples are apart the pixel's centre may
+/// lie outside: there the plane goes on, so that the values are truly those of the centre, as long as it is above zero.
+struct WeightRange {
+  float lowest, highest;
+};
+HWY_INLINE WeightRange weight_range(const SetupState& state, double lowest_vertex) {
+  const auto lowest = static_cast<float>(lowest_vertex);
+  if (!covers_samples(state)) return {lowest, 1.0f};
+  return {lowest * 0x1p-16f, std::numeric_limits<float>::max()};
+}
+
 /// Planes of the varyings of the first `count` lanes, or under perspective of their distance from vertex 0 weighted by
 /// 1/w; see make_varying_planes. The same for every varying: nothing in here knows what they mean.
 void set_up_varyings(const Basis& basis, const Weights& weights, const TriangleGroup& group, std::size_t first, std::size_t count) {
@@ -107,7 +121,8 @@ void set_up_varyings(const Basis& basis, const Weights& weights, const TriangleG
   for (std::size_t lane = 0; lane < count; ++lane) {
     out[lane] = new (group.records + (first + lane) * group.record_bytes + before) VaryingRecord;
     const double (&w)[4] = inverse_w.row[lane];
-    *out[lane] = {w[0], w[1], w[2], static_cast<float>(w[3]), 1.0f, 0, (perspective >> lane & 1) != 0, true};
+    const WeightRange range = weight_range(state, w[3]);
+    *out[lane] = {w[0], w[1], w[2], range.lowest, range.highest, 0, (perspective >> lane & 1) != 0, true};
   }
 
   const V infinity = set(std::numeric_limits<double>::infinity());
@@ -153,6 +168,10 @@ void clamp_colors(const TriangleGroup& group, std::size_t first, std::uint64_t l
   for (std::uint64_t left = lanes; left != 0; left &= left - 1) {
     ColorRecord& color = group.color(first + static_cast<std::size_t>(__builtin_ctzll(left)));
     color.clamp = color.variation != ColorVariation::constant;
+    if (color.variation != ColorVariation::perspective) continue;
+    const WeightRange range = weight_range(*group.state, color.inverse_w_minimum);
+    color.inverse_w_minimum = range.lowest;
+    color.inverse_w_maximum = range.highest;
   }
 }
 
@@ -168,7 +187,7 @@ HWY_INLINE void set_up_colors_of_lanes(const TriangleGroup& group, std::size_t f
   const Basis basis{part(0), part(1), part(2), part(3), part(4), part(5)};
   const Weights weights = weigh(basis, {inverse_w(0), inverse_w(1), inverse_w(2)});
   if (state.colors && !state.flat) set_up_colors(basis, weights, group, first, lanes);
-  const bool leaves_edges = state.polygons.smooth || (state.binding->sample_mask != 0 && state.binding->samples_apart);
+  const bool leaves_edges = state.polygons.smooth || covers_samples(state);
   if (state.colors && leaves_edges) clamp_colors(group, first, lanes);
   if (varyings) set_up_varyings(basis, weights, group, first, HWY_MIN(hn::Lanes(d), group.count - first));
 }
