@@ -35,6 +35,7 @@ SceneList polygon_mode_scenes();     // §3.5.4
 SceneList polygon_offset_scenes();   // §3.5.5
 SceneList smooth_scenes();           // §3.11, §3.3.1, §3.4.2, §3.5.3
 SceneList texture_sampling_scenes();     // §3.8.6 to 3.8.10, 3.8.14
+SceneList texture_level_scenes();        // §3.8.6, §3.8.8
 SceneList texture_environment_scenes();  // §3.8.13
 SceneList texture_image_scenes();    // §3.8.1
 SceneList color_sum_scenes();        // §3.9
