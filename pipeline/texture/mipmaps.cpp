@@ -8,6 +8,7 @@
 
 #include "pipeline/texture/completeness.h"
 #include "pipeline/texture/halved_rows.h"
+#include "pipeline/texture/halved_srgb_rows.h"
 #include "pipeline/texture/texel_access.h"
 
 namespace gouraud::pipeline {
@@ -84,7 +85,7 @@ int unorm8_channels(TexelFormat format) {
 
 /// Whether pairs of rows and columns of bytes are all there is to average.
 bool is_simple(const Image& image) {
-  return unorm8_channels(image.format) > 0 && !image.srgb && !image.tiles && image.border == 0 && image.depth == 1 &&
+  return unorm8_channels(image.format) > 0 && !image.tiles && image.border == 0 && image.depth == 1 &&
          image.width % 2 == 0 && image.height % 2 == 0;
 }
 
@@ -116,9 +117,10 @@ Image next_level(TextureTarget target, const Image& image) {
 
 void fill_half_size(TextureTarget target, const Image& image, const Image& out) {
   if (is_simple(image)) {
+    const auto halve_rows = image.srgb ? halve_rows_srgb8 : halve_rows_unorm8;
     for (int y = 0; y < out.height; ++y) {
-      halve_rows_unorm8(texel_address(image, 0, 2 * y, 0), texel_address(image, 0, 2 * y + 1, 0), unorm8_channels(image.format),
-                        out.width, texel_address(out, 0, y, 0));
+      halve_rows(texel_address(image, 0, 2 * y, 0), texel_address(image, 0, 2 * y + 1, 0), unorm8_channels(image.format), out.width,
+                 texel_address(out, 0, y, 0));
     }
     return;
   }

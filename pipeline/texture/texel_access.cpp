@@ -54,8 +54,7 @@ double power_2_4(double x) { return x * x * fifth_root(x * x); }
 std::array<float, 256> make_srgb_table() {
   std::array<float, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double c = static_cast<double>(i) / 255.0;
-    table[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : power_2_4((c + 0.055) / 1.055));
+    table[i] = static_cast<float>(linear_of_srgb(static_cast<double>(i) / 255.0));
   }
   return table;
 }
@@ -64,8 +63,7 @@ std::array<float, 256> make_srgb_table() {
 std::array<float, 255> make_srgb_thresholds() {
   std::array<float, 255> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    const double c = (static_cast<double>(i) + 0.5) / 255.0;
-    table[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : power_2_4((c + 0.055) / 1.055));
+    table[i] = static_cast<float>(linear_of_srgb((static_cast<double>(i) + 0.5) / 255.0));
   }
   return table;
 }
@@ -128,6 +126,10 @@ Texel expand_channels(const Image& image, const Texel& c) {
     case BaseFormat::rgba: break;
   }
   return {decoded(c[0]), decoded(c[1]), decoded(c[2]), c[3]};
+}
+
+double linear_of_srgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : power_2_4((encoded + 0.055) / 1.055);
 }
 
 const std::array<float, 256>& srgb_table() {

@@ -27,6 +27,8 @@ void store_channels(TexelFormat format, const Texel& channels, std::byte* texel)
 /// Stored channels to R, G, B, A by base format [GL1.5 Table 3.23], sRGB decoded.
 Texel expand_channels(const Image& image, const Texel& channels);
 
+/// The linear value of an sRGB-encoded one, both in [0, 1] [EXT_texture_sRGB].
+double linear_of_srgb(double encoded);
 /// The linear value of an sRGB-encoded byte [EXT_texture_sRGB], rounded to float.
 float decode_srgb(std::uint8_t encoded);
 /// The nearest encoded byte of a linear value; NaN gives 0.
