@@ -130,6 +130,7 @@ void rendered_texture(Brush& b) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
   gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, 11, 0);
   gl.Disable(GL_POLYGON_STIPPLE);  // Mesa's lies elsewhere in framebuffer objects
+  gl.Disable(GL_TEXTURE_2D);       // what is drawn into is not to be read
   gl.Clear(GL_COLOR_BUFFER_BIT);
   gl.Color4fv(b.color().v);
   in_order(gl.Rectf, std::tuple{b.range(-0.9f, 0.0f), -0.7f, 0.8f, b.range(0.0f, 0.9f)});

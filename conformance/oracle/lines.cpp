@@ -73,21 +73,6 @@ Color color_at(const std::array<WindowVertex, 2>& ends, const std::array<Color, 
   return out;
 }
 
-/// Centres before the start or behind the end have, as the equations say, colours beyond those of the end points. In
-/// perspective they may be far beyond: legal is all from there to the end's own colour (PixelFlags), or any colour of
-/// the line if the equation has none.
-void bound_extrapolation(const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t,
-                         Fragment& fragment) {
-  fragment.extrapolated = true;
-  const bool beyond_horizon = (1 - t) * ends[0].w_inverse + t * ends[1].w_inverse <= 0;
-  const Color& end = colors[t < 0.5 ? 0 : 1];
-  const Color& other = beyond_horizon ? colors[t < 0.5 ? 1 : 0] : fragment.color;
-  for (std::size_t i = 0; i < 4; ++i) {
-    fragment.color_lowest[i] = std::min(end[i], other[i]);
-    fragment.color_highest[i] = std::max(end[i], other[i]);
-  }
-}
-
 double length_squared(const std::array<WindowVertex, 2>& ends) {
   const double dx = ends[1].x - ends[0].x, dy = ends[1].y - ends[0].y;
   return dx * dx + dy * dy;
@@ -100,15 +85,21 @@ double time_at(const std::array<WindowVertex, 2>& ends, double x, double y) {
   return squared > 0 ? ((x - a.x) * (b.x - a.x) + (y - a.y) * (b.y - a.y)) / squared : 0.0;
 }
 
-/// The line's colour there [GL1.5 §3.4.1 eq 3.4], with its textures.
-TexturedColor shaded_at(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t) {
+/// The line's colour there [GL1.5 §3.4.1 eq 3.4], with its textures at `t`.
+TexturedColor shaded_at(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t, double color_t) {
   const auto& [a, b] = ends;
   const double squared = length_squared(ends);
   const double slope_x = squared > 0 ? (b.x - a.x) / squared : 0.0, slope_y = squared > 0 ? (b.y - a.y) / squared : 0.0;
   const std::array<VertexShare, 2> shares{
       VertexShare{&a.colors, (1 - t) * a.w_inverse, -slope_x * a.w_inverse, -slope_y * a.w_inverse},
       VertexShare{&b.colors, t * b.w_inverse, slope_x * b.w_inverse, slope_y * b.w_inverse}};
-  return shade(sink, color_at(ends, colors, t), shares);
+  Color primary = color_at(ends, colors, color_t);
+  // What texture environments take in is in [0, 1], also beyond an end.
+  for (double& channel : primary) channel = sink.texturing.count > 0 ? std::clamp(channel, 0.0, 1.0) : channel;
+  return shade(sink, primary, shares);
+}
+TexturedColor shaded_at(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t) {
+  return shaded_at(sink, ends, colors, t, t);
 }
 
 std::array<Color, 2> colors_of(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends) {
@@ -124,6 +115,22 @@ void set_depth(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends
   fragment.depth_highest = fragment.depth + slack;
 }
 
+/// Centres before the start or behind the end have, as the equations say, colours beyond those of the end points. In
+/// perspective they may be far beyond: legal is all from there to the end's own colour (PixelFlags), or any colour of
+/// the line if the equation has none.
+void bound_extrapolation(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, const std::array<Color, 2>& colors, double t,
+                         Fragment& fragment) {
+  fragment.extrapolated = true;
+  const bool beyond_horizon = (1 - t) * ends[0].w_inverse + t * ends[1].w_inverse <= 0;
+  if (beyond_horizon) include_color(shaded_at(sink, ends, colors, t < 0.5 ? 1.0 : 0.0), fragment);
+  const double end = t < 0.5 ? 0 : 1;
+  include_color(shaded_at(sink, ends, colors, end), fragment);
+  if (beyond_horizon || sink.texturing.count == 0) return;
+  // Colours and texture coordinates may be bounded apart.
+  include_color(shaded_at(sink, ends, colors, t, end), fragment);
+  include_color(shaded_at(sink, ends, colors, end, t), fragment);
+}
+
 /// Colour and depth of the line at a pixel's centre.
 void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& ends, int x, int y, double coverage = 1) {
   const double t = time_at(ends, x + 0.5, y + 0.5);
@@ -136,7 +143,7 @@ void make_fragment(const FragmentSink& sink, const std::array<WindowVertex, 2>& 
   const std::array<Color, 2> colors = colors_of(sink, ends);
   set_color(shaded_at(sink, ends, colors, t), fragment);
   fragment.fog_coordinate = fog_coordinate_at(ends, t);
-  if ((t < 0 || t > 1) && ends[0].w_inverse != ends[1].w_inverse) bound_extrapolation(ends, colors, t, fragment);
+  if ((t < 0 || t > 1) && ends[0].w_inverse != ends[1].w_inverse) bound_extrapolation(sink, ends, colors, t, fragment);
   set_depth(sink, ends, t, fragment);
   sink.give(fragment);
 }

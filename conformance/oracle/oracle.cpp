@@ -351,6 +351,8 @@ void Oracle::bitmap(const pipeline::DrawState& state, const pipeline::FragmentSo
   draw_bitmap(*samples_, state, source, bitmap);
 }
 
+void Oracle::write(const pipeline::DirectRectangle& rectangle) { write_directly(*samples_, rectangle); }
+
 void Oracle::clear(const pipeline::ClearState& state) {
   for (OraclePicture& picture : *samples_) clear_picture(picture, state);
 }

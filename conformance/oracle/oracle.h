@@ -128,6 +128,7 @@ class Oracle : public pipeline::DrawObserver {
                  const pipeline::PixelRectangle& rectangle) override;
   void bitmap(const pipeline::DrawState& state, const pipeline::FragmentSource& source,
               const pipeline::Bitmap& bitmap) override;
+  void write(const pipeline::DirectRectangle& rectangle) override;
 
   /// Of the target; of several samples the first one's.
   const OraclePicture& picture() const;

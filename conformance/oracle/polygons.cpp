@@ -99,6 +99,8 @@ class Interpolation {
     return shade(sink_, primary, shares, nullptr, in_range);
   }
 
+  bool is_textured() const { return sink_.texturing.count > 0; }
+
   double fog_coordinate(const Vector3& weight) const {
     const auto& [a, b, c] = vertices_;
     const double q = weight[0] * a.w_inverse + weight[1] * b.w_inverse + weight[2] * c.w_inverse;
@@ -175,7 +177,11 @@ void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragmen
   bool is_resolved = values.has_area();
   for (std::size_t i = 0; i < 4; ++i) is_resolved &= fragment.color_highest[i] - fragment.color_lowest[i] < resolved;
   if (is_resolved) return;
-  for (const Vector3& corner : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) include(corner);
+  // Textures have colours in between that the corners do not have.
+  const int steps = values.is_textured() ? 12 : 1;
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; i + j <= steps; ++j) include({1.0 * i / steps, 1.0 * j / steps, 1.0 * (steps - i - j) / steps});
+  }
 }
 
 /// Barycentric coordinates of samples inside err by less.

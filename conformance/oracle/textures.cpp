@@ -385,16 +385,12 @@ Color sample(const TextureUnitState& unit, const TextureCoordinate& coordinate, 
 }
 
 /// The errors that could make a difference.
-std::vector<Errors> errors_to_try(const pipeline::TexturingState& state) {
-  bool coordinates = false, third = false, lod = false;
-  for (std::size_t i = 0; i < state.count; ++i) {
-    const TextureUnitState& unit = state.unit[i];
-    const bool nearest = unit.sampler.minify == TexelFilter::nearest || unit.sampler.magnify == TexelFilter::nearest;
-    const bool cube = unit.target == TextureTarget::cube_map;
-    coordinates |= nearest || unit.sampler.compares || (cube && !unit.sampler.seamless);
-    third |= unit.sampler.compares || ((nearest || !unit.sampler.seamless) && (cube || unit.target == TextureTarget::three_d));
-    lod |= unit.sampler.mip != MipFilter::none || unit.sampler.minify != unit.sampler.magnify || unit.sampler.max_anisotropy > 1;
-  }
+std::vector<Errors> errors_to_try(const TextureUnitState& unit) {
+  const bool nearest = unit.sampler.minify == TexelFilter::nearest || unit.sampler.magnify == TexelFilter::nearest;
+  const bool cube = unit.target == TextureTarget::cube_map;
+  const bool coordinates = nearest || unit.sampler.compares || (cube && !unit.sampler.seamless);
+  const bool third = unit.sampler.compares || ((nearest || !unit.sampler.seamless) && (cube || unit.target == TextureTarget::three_d));
+  const bool lod = unit.sampler.mip != MipFilter::none || unit.sampler.minify != unit.sampler.magnify || unit.sampler.max_anisotropy > 1;
   std::vector<Errors> out;
   for (int i = 0; i < 16; ++i) {
     const auto sign = [&](int bit, bool wanted) { return !wanted ? 0.0 : (i & bit) != 0 ? 1.0 : -1.0; };
@@ -404,10 +400,25 @@ std::vector<Errors> errors_to_try(const pipeline::TexturingState& state) {
   return out;
 }
 
-Color textured(const pipeline::TexturingState& state, const Color& primary, std::span<const TextureCoordinate> coordinates,
-               const Errors& errors) {
-  std::vector<Color> texels;
-  for (std::size_t i = 0; i < state.count; ++i) texels.push_back(sample(state.unit[i], coordinates[i], errors));
+/// Texels that are no more apart count as one: environments make differences at most eight times as large.
+constexpr double same_texel = 1.0 / 16384;
+
+/// What a unit's texture may give: without errors first, then whatever else errors make of it.
+std::vector<Color> possible_texels(const TextureUnitState& unit, const TextureCoordinate& coordinate) {
+  std::vector<Color> out{sample(unit, coordinate, {})};
+  for (const Errors& errors : errors_to_try(unit)) {
+    const Color other = sample(unit, coordinate, errors);
+    const bool is_known = std::ranges::any_of(out, [&](const Color& known) {
+      double distance = 0;
+      for (std::size_t k = 0; k < 4; ++k) distance = std::max(distance, std::abs(known[k] - other[k]));
+      return distance <= same_texel;
+    });
+    if (!is_known) out.push_back(other);
+  }
+  return out;
+}
+
+Color textured(const pipeline::TexturingState& state, const Color& primary, std::span<const Color> texels) {
   Color color = primary;
   for (std::size_t i = 0; i < state.count; ++i) color = apply_environment(state, i, primary, color, texels);
   return color;
@@ -428,14 +439,23 @@ BaseFormat seen_format(const TextureUnitState& unit) {
 
 TexturedColor apply_textures(const pipeline::TexturingState& state, const Color& primary,
                              std::span<const TextureCoordinate> coordinates) {
+  std::vector<std::vector<Color>> possible;
+  for (std::size_t i = 0; i < state.count; ++i) possible.push_back(possible_texels(state.unit[i], coordinates[i]));
+  // Every unit's outcomes with every other's, counted like digits.
+  std::vector<std::size_t> chosen(state.count);
   TexturedColor out;
-  out.color = out.lowest = out.highest = textured(state, primary, coordinates, {});
-  for (const Errors& errors : errors_to_try(state)) {
-    const Color other = textured(state, primary, coordinates, errors);
+  for (bool first = true, more = true; more; first = false) {
+    std::vector<Color> texels;
+    for (std::size_t i = 0; i < state.count; ++i) texels.push_back(possible[i][chosen[i]]);
+    const Color color = textured(state, primary, texels);
+    if (first) out.color = out.lowest = out.highest = color;
     for (std::size_t k = 0; k < 4; ++k) {
-      out.lowest[k] = std::min(out.lowest[k], other[k]);
-      out.highest[k] = std::max(out.highest[k], other[k]);
+      out.lowest[k] = std::min(out.lowest[k], color[k]);
+      out.highest[k] = std::max(out.highest[k], color[k]);
     }
+    std::size_t digit = 0;
+    while (digit < state.count && ++chosen[digit] == possible[digit].size()) chosen[digit++] = 0;
+    more = digit < state.count;
   }
   return out;
 }

@@ -22,6 +22,7 @@ class DrawObserver {
   /// [GL1.5 §3.6.4, §3.7]; `state` is a pixel_draw_state.
   virtual void rectangle(const DrawState&, const FragmentSource&, const PixelRectangle&) {}
   virtual void bitmap(const DrawState&, const FragmentSource&, const Bitmap&) {}
+  virtual void write(const DirectRectangle&) {}
 };
 
 }  // namespace gouraud::pipeline

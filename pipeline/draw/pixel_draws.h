@@ -27,16 +27,6 @@ DrawState pixel_draw_state(const DrawState& state);
 /// The only vertex of such a draw.
 void fill_batch(const FragmentSource& source, VertexBatch& batch);
 
-/// Stencil, and depth if `depths` is not null, of a pixel rectangle, written past all tests but the scissor
-/// [GL1.5 §4.3.1]. Both are row_px values a row, laid out as a PixelImage's.
-struct DirectRectangle {
-  PixelRectangle place;  ///< without an image
-  std::int32_t width_px = 0, height_px = 0;
-  PixelRect clip{};
-  std::shared_ptr<const std::uint8_t[]> stencils;
-  std::shared_ptr<const double[]> depths;
-  std::uint8_t stencil_write_mask = 0xFF;
-};
 void write_rectangle(const Framebuffer& target, const DirectRectangle& rectangle);
 
 /// A rectangle's pixels in the window, cut to `clip`.

@@ -126,6 +126,7 @@ void Renderer::write_rectangle(const DirectRectangle& rectangle) {
   if (target() == nullptr) return;
   const IeeeFloats floats;
   finish();
+  if (implementation_->observer != nullptr) implementation_->observer->write(rectangle);
   implementation_->dirty = true;
   for (int sample = 0; sample < target()->samples; ++sample) {
     pipeline::write_rectangle(target()->samples > 1 ? target()->sample(sample) : *target(), rectangle);

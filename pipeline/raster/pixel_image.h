@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/limits.h"
 
 namespace gouraud::pipeline {
@@ -54,6 +55,17 @@ struct PixelRectangle {
   double zoom_x = 1, zoom_y = 1;
   std::int32_t first_column = 0, first_row = 0;
   std::shared_ptr<const PixelImage> image;
+};
+
+/// Stencil, and depth if `depths` is not null, of a pixel rectangle, written past all tests but the scissor
+/// [GL1.5 §4.3.1]. Both are row_px values a row, laid out as a PixelImage's.
+struct DirectRectangle {
+  PixelRectangle place;  ///< without an image
+  std::int32_t width_px = 0, height_px = 0;
+  PixelRect clip{};
+  std::shared_ptr<const std::uint8_t[]> stencils;
+  std::shared_ptr<const double[]> depths;
+  std::uint8_t stencil_write_mask = 0xFF;
 };
 
 /// Bits to be drawn: pixel (x + i, y + j) gets a fragment if bit i % 8 of byte i / 8 of row j is set.
