@@ -51,6 +51,23 @@ HWY_INLINE const float* mirrored(const float* s, std::array<float, 64>& out) {
   return out.data();
 }
 
+/// Those lanes whose linear filter reaches over an edge of a cube's face of this size (seams.h).
+HWY_INLINE std::uint64_t lanes_across_seams(const float* s, const float* t, float size, std::uint64_t lanes) {
+  const FloatTag d;
+  std::uint64_t across = 0;
+  for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    const std::uint64_t wanted = lane_bits(lanes, lane);
+    if (wanted == 0) continue;
+    const auto inside = [&](const float* c) HWY_ATTR {
+      const FloatVector kept = hn::Min(at_least(d, hn::Load(d, c + lane), hn::Zero(d)), hn::Set(d, 1.0f));
+      const FloatVector u = hn::Sub(hn::Mul(kept, hn::Set(d, size)), hn::Set(d, 0.5f));
+      return hn::And(hn::Ge(u, hn::Zero(d)), hn::Lt(u, hn::Set(d, size - 1.0f)));
+    };
+    across |= (wanted & ~bits_of(d, hn::And(inside(s), inside(t)))) << lane;
+  }
+  return across;
+}
+
 /// Reads one level with one filter.
 HWY_INLINE void read_level(const PreparedUnit& unit, const LaneCoordinates& at, std::int32_t index, TexelFilter filter,
                            std::uint64_t lanes, bool keeps_others, TexelBlock& out) {
@@ -71,7 +88,9 @@ HWY_INLINE void read_level(const PreparedUnit& unit, const LaneCoordinates& at, 
   if (level.tiled) make_tiles_readable(level, axis, unit.dimensions, linear, lanes);
   unit.kernel[linear ? 1 : 0](read, out);
   if (linear && unit.state.sampler.seamless && unit.state.target == TextureTarget::cube_map) {
-    filter_across_seams(unit, at.face, index, at.coordinate[0], at.coordinate[1], lanes, out);
+    const float *const s = at.coordinate[0], *const t = at.coordinate[1];
+    const std::uint64_t across = lanes_across_seams(s, t, static_cast<float>(level.size[0]), lanes);
+    if (across != 0) filter_across_seams(unit, at.face, index, s, t, across, out);
   }
 }
 
@@ -217,11 +236,12 @@ inline constexpr std::array<FaceAxes, 6> face_axes{{{2, -1, 1, -1, 0, 1},
                                                     {0, 1, 1, -1, 2, 1},
                                                     {0, -1, 1, -1, 2, -1}}};
 
-/// Which face each lane's direction hits. choice: where two are equally long, x before y before z, as Mesa.
-HWY_INLINE void select_faces(const std::array<const float*, 3>& direction, std::array<std::uint64_t, 6>& lanes_of) {
+/// Which face each of the lanes' directions hits. choice: where two are equally long, x before y before z, as Mesa.
+HWY_INLINE void select_faces(const std::array<const float*, 3>& direction, std::uint64_t lanes, std::array<std::uint64_t, 6>& lanes_of) {
   const FloatTag d;
   lanes_of = {};
   for (std::size_t lane = 0; lane < 64; lane += hn::Lanes(d)) {
+    if (lane_bits(lanes, lane) == 0) continue;
     const FloatVector x = hn::Load(d, direction[0] + lane), y = hn::Load(d, direction[1] + lane), z = hn::Load(d, direction[2] + lane);
     const std::uint64_t all = (std::uint64_t{1} << hn::Lanes(d)) - 1;
     const std::uint64_t along_x = bits_of(d, hn::And(hn::Ge(hn::Abs(x), hn::Abs(y)), hn::Ge(hn::Abs(x), hn::Abs(z))));
@@ -244,7 +264,7 @@ void sample_cube_map(const FragmentBlock& block, const PreparedUnit& unit, Texel
   std::array<const float*, 3> direction;
   for (std::size_t k = 0; k < 3; ++k) direction[k] = block.varying[static_cast<std::size_t>(layout.first) + k].data();
   std::array<std::uint64_t, 6> lanes_of;
-  select_faces(direction, lanes_of);
+  select_faces(direction, block.coverage, lanes_of);
   TextureCoordinateLayout undivided = layout;
   undivided.has_q = false;
   const CoordinatePlanes planes = coordinate_planes(block, undivided);

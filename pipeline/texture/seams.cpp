@@ -1,7 +1,7 @@
 #include "pipeline/texture/seams.h"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <optional>
 
 #include "pipeline/texture/texel_access.h"
@@ -79,15 +79,14 @@ Texel filtered(const PreparedUnit& unit, int face, int level, int x, int y, floa
 
 void filter_across_seams(const PreparedUnit& unit, std::int32_t face, std::int32_t level, const float* s, const float* t,
                          std::uint64_t lanes, TexelBlock& out) {
-  const int n = unit.level(face, level).size[0];
-  const auto size = static_cast<float>(n);
-  for (std::size_t lane = 0; lane < 64; ++lane) {
-    if ((lanes >> lane & 1) == 0) continue;
+  const auto size = static_cast<float>(unit.level(face, level).size[0]);
+  for (std::uint64_t left = lanes; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
     const auto place = [&](float c) { return c > 0.0f ? std::min(c, 1.0f) * size - 0.5f : -0.5f; };
+    const auto below = [](float c) { return static_cast<int>(c) - (c < static_cast<float>(static_cast<int>(c)) ? 1 : 0); };
     const float u = place(s[lane]), v = place(t[lane]);
-    const float x = std::floor(u), y = std::floor(v);
-    if (x >= 0 && y >= 0 && x < size - 1 && y < size - 1) continue;
-    const Texel texel = filtered(unit, face, level, static_cast<int>(x), static_cast<int>(y), u - x, v - y);
+    const int x = below(u), y = below(v);
+    const Texel texel = filtered(unit, face, level, x, y, u - static_cast<float>(x), v - static_cast<float>(y));
     for (std::size_t k = 0; k < 4; ++k) out.channel[k][lane] = texel[k];
   }
 }

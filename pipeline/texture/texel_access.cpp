@@ -27,6 +27,18 @@ Texel load_unorm(const std::byte* texel, std::size_t count) {
   return out;
 }
 
+constexpr std::array<float, 256> unorm8_values = [] {
+  std::array<float, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) table[i] = static_cast<float>(static_cast<double>(i) / 255.0);
+  return table;
+}();
+template <>
+Texel load_unorm<std::uint8_t>(const std::byte* texel, std::size_t count) {
+  Texel out{};
+  for (std::size_t k = 0; k < count; ++k) out[k] = unorm8_values[load<std::uint8_t>(texel, k)];
+  return out;
+}
+
 /// NaN becomes 0.
 double unit(float value) { return value > 0.0f ? std::min(static_cast<double>(value), 1.0) : 0.0; }
 
