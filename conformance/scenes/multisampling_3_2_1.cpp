@@ -294,6 +294,30 @@ void samples_to_samples(const GlTable& gl) {
   resolve(gl);
 }
 
+// Faces that look this way are filled, those behind are points.
+void resolved_faces_by_mode(const GlTable& gl) {
+  begin_samples(gl);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.PolygonMode(GL_FRONT, GL_FILL);
+  gl.PolygonMode(GL_BACK, GL_POINT);
+  gl.PointSize(3.7f);
+  look(gl, {.distance = 2.6f, .pitch_deg = 40, .yaw_deg = 27});
+  draw_surface(gl, half_pipe(0.8f, 1.6f, 9, 9), [&](const Surface::Point& p) { gl.Color3f(p.u, 0.63f, p.v); });
+  gl.MatrixMode(GL_MODELVIEW);
+  gl.Rotatef(150, 0, 1, 0);
+  draw_surface(gl, half_pipe(0.5f, 1.8f, 9, 9), [&](const Surface::Point& p) { gl.Color3f(0.2f, p.u, p.v); });
+  resolve(gl);
+}
+
+// Thousands of triangles of a few samples each.
+void resolved_fine_mesh(const GlTable& gl) {
+  begin_samples(gl);
+  gl.Enable(GL_DEPTH_TEST);
+  look(gl, {.distance = 3.1f, .pitch_deg = 40, .yaw_deg = 27});
+  draw_surface(gl, torus(0.95f, 0.38f, 120, 60), [&](const Surface::Point& p) { gl.Color3f(p.u, 0.63f, p.v); });
+  resolve(gl);
+}
+
 }  // namespace
 
 SceneList multisampling_scenes() {
@@ -303,6 +327,8 @@ SceneList multisampling_scenes() {
       {.name = "fbo_resolved_rings", .section = "§3.2.1", .shows = "Two rings through each other, smooth edges.", .judge = Judge::textures, .draw = resolved_rings},
       {.name = "fbo_resolved_slivers", .section = "§3.2.1", .shows = "300 slivers with smooth edges.", .judge = Judge::textures, .draw = resolved_slivers},
       {.name = "fbo_resolved_floor", .section = "§3.2.1", .shows = "A floor with holes and a pale ring, smooth edges.", .judge = Judge::textures, .draw = resolved_floor},
+      {.name = "fbo_resolved_faces_by_mode", .section = "§3.5.6", .shows = "Two gutters whose backs are dots.", .judge = oracle, .draw = resolved_faces_by_mode},
+      {.name = "fbo_resolved_fine_mesh", .section = "§3.5.6", .shows = "A ring of thousands of triangles.", .judge = oracle, .draw = resolved_fine_mesh},
       {.name = "fbo_resolved_lines", .section = "§3.4.4", .shows = "Three fans of lines, wider each.", .judge = oracle, .draw = resolved_lines},
       {.name = "fbo_resolved_stipples", .section = "§3.4.4", .shows = "Twelve bent lines of dashes.", .judge = oracle, .draw = resolved_stipples},
       {.name = "fbo_resolved_outlines", .section = "§3.4.4", .shows = "A ring with the outlines of its faces.", .judge = oracle, .draw = resolved_outlines},

@@ -174,7 +174,7 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
   const bool tests_depth_only = depth_test != nullptr && passes.early == 1 && passes.pass[0] == depth_test;
   if (tests_depth_only && !target.methods.warps_depth()) {
     passes.group_depth = group_depth_test(state.raster.depth.func, target.depth);
-    if (!state.polygons.offset_fill) passes.small_triangles = small_triangle_test(state.raster.depth.func, target.depth);
+    if (!state.polygons.offset_fill) passes.small_triangles = small_triangle_tests(state.raster.depth.func, target.depth);
   }
   if (!plan.writes_color) return passes;
   const bool keeps_colors = plan.blends || plan.coverage || plan.sample_alpha || plan.alpha_test || has_varyings ||

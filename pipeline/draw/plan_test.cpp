@@ -116,14 +116,14 @@ TEST(Plan, RunsThePassesThatNeedNoColorsEarly) {
 TEST(Plan, OpensTheRoadOfSmallTrianglesToADepthTestAlone) {
   DrawState state = unlit();
   const auto road = [&] { return make_plan(state, window).fragment.small_triangles; };
-  EXPECT_EQ(road(), nullptr);
+  EXPECT_EQ(road(), SmallTriangleTests{});
   state.raster.depth = {true, true, CompareFunc::less};
-  EXPECT_EQ(road(), small_triangle_test(CompareFunc::less, window.depth));
+  EXPECT_EQ(road(), small_triangle_tests(CompareFunc::less, window.depth));
   state.polygons.offset_fill = true;
-  EXPECT_EQ(road(), nullptr);
+  EXPECT_EQ(road(), SmallTriangleTests{});
   state.polygons.offset_fill = false;
   state.raster.counts_samples = true;
-  EXPECT_EQ(road(), nullptr);
+  EXPECT_EQ(road(), SmallTriangleTests{});
 }
 
 TEST(Plan, BlendsBetweenInterpolationAndWrite) {

@@ -94,6 +94,11 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   RasterBinding binding{state.raster, {}, varyings, plan.colors};
   set_passes(state, plan, plan.fragment, binding);
   binding.image = image;
+  samples_at_once = bins.target()->samples > 1 && !hidden && state.multisample.sample_mask != 0 && plan.methods == Methods{};
+  if (samples_at_once) {
+    binding.sample_mask = state.multisample.sample_mask;
+    binding.samples_apart = state.multisample.enabled;
+  }
   if (plan.textured) {
     const TileBins::InternedTextures& textures = bins.intern(state.texturing, color_scale(bins.target()->color_format));
     binding.texturing = &textures.state;
@@ -124,13 +129,10 @@ void Renderer::Implementation::prepare(const DrawState& state, const Plan& plan,
   plain_lines = are_plain_lines(*setup) && !plan.methods.walks_lines();
   unfilled = mode_front != PolygonMode::fill || mode_back != PolygonMode::fill;
   const bool plain_polygons = !unfilled && !state.polygons.smooth && image == nullptr;
-  if (plain_polygons && plan.coverage) set_passes(state, plan, plan.filled, binding);
-  fills_samples = plain_polygons && bins.target()->samples > 1 && !hidden && state.multisample.sample_mask != 0 && plan.methods == Methods{};
-  if (fills_samples) {
-    binding.sample_mask = state.multisample.sample_mask;
-    binding.samples_apart = state.multisample.enabled;
+  if (plain_polygons && plan.coverage) {
+    set_passes(state, plan, plan.filled, binding);
+    filled_setup = bins.intern(state_of_setup, binding);
   }
-  if (plain_polygons && (plan.coverage || fills_samples)) filled_setup = bins.intern(state_of_setup, binding);
   clip_attributes = {plan.eye_positions, plan.colors, setup->two_sided, plan.secondary_color != SecondaryColor::none,
                      varyings.of_vertices(), &state.clip_planes};
 }
@@ -211,10 +213,10 @@ PrimitiveRange Renderer::Implementation::assemble_ranges(const DrawState& state,
   return all;
 }
 
-/// Ranges [begin, end) in order, to the sample that is selected, or to all.
-void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch, std::size_t begin, std::size_t end) {
+/// In order, to the sample that is selected, or to all.
+void Renderer::Implementation::draw_primitives(const DrawState& state, const VertexBatch& batch) {
   shared = {};
-  for (std::size_t i = begin; i < end;) {
+  for (std::size_t i = 0; i < batch.primitives.size();) {
     if (phong && !batch.material_runs.empty()) select_material(batch, batch.primitives[i]);
     const PrimitiveRange range = assemble_ranges(state, batch, i);
     setup = filled_setup;
@@ -232,30 +234,21 @@ void Renderer::Implementation::draw_primitives(const DrawState& state, const Ver
   }
 }
 
-/// Filled polygons go into all samples of their pixels at once and are shaded once (sample_blocks.h), where no method has it
-/// otherwise. All else is drawn sample by sample.
+/// All samples of a pixel at once, shaded once (sample_blocks.h), where no method has it otherwise.
 void Renderer::Implementation::draw_samples(const DrawState& state, const VertexBatch& batch) {
-  const std::span<const PrimitiveRange> ranges = batch.primitives;
-  const auto at_once = [&](std::size_t i) { return fills_samples && is_polygonal(ranges[i].mode); };
-  bool moved = false;
-  for (std::size_t begin = 0, end = 0; begin < ranges.size(); begin = end) {
-    while (end < ranges.size() && at_once(end) == at_once(begin)) ++end;
-    if (at_once(begin)) {
-      if (moved) place(state, 0.0f, 0.0f);
-      bins.select_sample(TileBins::all_samples);
-      draw_primitives(state, batch, begin, end);
-    } else {
-      draw_each_sample(state, batch, begin, end);
-      moved = true;
-    }
+  if (samples_at_once) {
+    bins.select_sample(TileBins::all_samples);
+    draw_primitives(state, batch);
+  } else {
+    draw_each_sample(state, batch);
   }
   bins.select_sample(0);
 }
 
 /// Every sample is a picture of its own [GL1.5 §3.2.1]: what is drawn is moved so that the sample stands where a pixel
-/// has its centre, and drawn as ever. So coverage, depth and colours are those of the sample's own place, and no stage
-/// after this one knows of samples.
-void Renderer::Implementation::draw_each_sample(const DrawState& state, const VertexBatch& batch, std::size_t begin, std::size_t end) {
+/// has its centre, projected once more, and drawn as ever. So coverage, depth and colours are those of the sample's own
+/// place, and no stage after this one knows of samples.
+void Renderer::Implementation::draw_each_sample(const DrawState& state, const VertexBatch& batch) {
   const StippleCount stipple_before = stipple_count;
   for (std::size_t sample = 0; sample < static_cast<std::size_t>(bins.target()->samples); ++sample) {
     if (!hidden && (state.multisample.sample_mask >> sample & 1) == 0) continue;
@@ -263,18 +256,13 @@ void Renderer::Implementation::draw_each_sample(const DrawState& state, const Ve
     std::array<float, 2> position{0.5f, 0.5f};
     if (hidden) position = sample_position(antialiasing, sample);
     if (!hidden && state.multisample.enabled) position = sample_positions[sample];
-    place(state, 0.5f - position[0], 0.5f - position[1]);
+    viewport.sample_shift_x = 0.5f - position[0];
+    viewport.sample_shift_y = 0.5f - position[1];
+    vertices.count = batch_count;
+    project(state);
     stipple_count = stipple_before;
-    draw_primitives(state, batch, begin, end);
+    draw_primitives(state, batch);
   }
-}
-
-/// Projects the batch's vertices once more, so that what lies there comes to lie in the pixels' centres.
-void Renderer::Implementation::place(const DrawState& state, float shift_x, float shift_y) {
-  viewport.sample_shift_x = shift_x;
-  viewport.sample_shift_y = shift_y;
-  vertices.count = batch_count;
-  project(state);
 }
 
 void Renderer::Implementation::finish() {
@@ -339,7 +327,7 @@ void Renderer::draw(const DrawState& state, const Plan& plan, const VertexBatch&
   self.run_vertex_stages(state, plan, varyings, batch);
   if (self.watch.tell != nullptr) self.tell_of_vertex(state, plan, batch);
   self.batch_count = batch.count;
-  self.bins.target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch, 0, batch.primitives.size());
+  self.bins.target()->samples > 1 ? self.draw_samples(state, batch) : self.draw_primitives(state, batch);
   if (self.bins.full() && self.smooth_parts.empty()) self.run_bins();
 }
 

@@ -37,10 +37,15 @@ PrimitiveRecord& Renderer::Implementation::bitmap_record(const PixelDraw& draw, 
   return *last_bitmap.record;
 }
 
-/// Calls add() for every sample that is drawn: all get the pixel's fragment.
+/// Calls add() for all samples that are drawn, or for each: all get the pixel's fragment.
 template <class Add>
-void Renderer::Implementation::add_to_samples(const DrawState& state, Add add) {
-  for (std::int32_t sample = 0; sample < bins.target()->samples; ++sample) {
+void Renderer::Implementation::add_to_samples(const DrawState& state, const PrimitiveRecord& record, Add add) {
+  const bool at_once = record.binding->sample_mask != 0;
+  if (at_once) {
+    bins.select_sample(TileBins::all_samples);
+    add();
+  }
+  for (std::int32_t sample = 0; !at_once && sample < bins.target()->samples; ++sample) {
     if (!hidden && bins.target()->samples > 1 && (state.multisample.sample_mask >> sample & 1) == 0) continue;
     bins.select_sample(sample);
     add();
@@ -102,7 +107,7 @@ void Renderer::draw_rectangle(const PixelDraw& draw, const FragmentSource& sourc
     color.base[0] = self.setup->targets.color_scale;
   }
   try {
-    self.add_to_samples(draw.state, [&] { self.bins.add_polygon(record); });
+    self.add_to_samples(draw.state, record, [&] { self.bins.add_polygon(record); });
   } catch (...) {  // no memory; what refers to the image must not outlive this call
     if (image.borrowed()) self.run_bins();
     throw;
@@ -118,7 +123,7 @@ void Renderer::draw_bitmap(const PixelDraw& draw, const FragmentSource& source, 
   if (!draw.plan.draws) return;
   const PrimitiveRecord& record = self.bitmap_record(draw, source);
   self.dirty = true;
-  self.add_to_samples(draw.state, [&] { self.bins.add_bitmap(record, bitmap); });
+  self.add_to_samples(draw.state, record, [&] { self.bins.add_bitmap(record, bitmap); });
   if (self.bins.full()) self.run_bins();
 }
 

@@ -37,11 +37,10 @@ struct Renderer::Implementation {
   void run_vertex_stages(const DrawState& state, const Plan& plan, const VaryingLayout& varyings, const VertexBatch& batch);
   QuadSplit split_of(const DrawState& state, const VertexBatch& batch, std::size_t i);
   PrimitiveRange assemble_ranges(const DrawState& state, const VertexBatch& batch, std::size_t& i);
-  void draw_primitives(const DrawState& state, const VertexBatch& batch, std::size_t begin, std::size_t end);
+  void draw_primitives(const DrawState& state, const VertexBatch& batch);
   void select_material(const VertexBatch& batch, const PrimitiveRange& range);
   void draw_samples(const DrawState& state, const VertexBatch& batch);
-  void draw_each_sample(const DrawState& state, const VertexBatch& batch, std::size_t begin, std::size_t end);
-  void place(const DrawState& state, float shift_x, float shift_y);
+  void draw_each_sample(const DrawState& state, const VertexBatch& batch);
   void draw_range_of_triangles(const PrimitiveRange& range);
   SharedVertices share_vertices(const PrimitiveRange& range);
   void draw_triangle(const AssembledTriangle& triangle);
@@ -60,13 +59,16 @@ struct Renderer::Implementation {
   void draw_line(AssembledLine line);
   void draw_clipped_line(const AssembledLine& line);
   void walk_line_by_method(const AssembledLine& line, void* memory);
+  template <class DrawStretch>
+  void draw_stretches(const AssembledLine& line, DrawStretch draw_stretch);
   void draw_smooth_line(const AssembledLine& line);
+  void draw_sampled_line(const AssembledLine& line);
   void draw_point(const AssembledPoint& point);
   bool stippled() const { return setup->lines.stipple_pattern != 0xFFFF; }
   void clip_and_draw(const AssembledTriangle& triangle);
   void prepare_fragments(const PixelDraw& draw, const FragmentSource& source, const PlacedImage* image);
   template <class Add>
-  void add_to_samples(const DrawState& state, Add add);
+  void add_to_samples(const DrawState& state, const PrimitiveRecord& record, Add add);
   PlacedImage* keep_image(const PixelRectangle& rectangle, const PlacedRectangle& placed);
   PrimitiveRecord& bitmap_record(const PixelDraw& draw, const FragmentSource& source);
   void use_samples();
@@ -104,7 +106,7 @@ struct Renderer::Implementation {
   const SetupState *setup = nullptr, *filled_setup = nullptr, *outlined_setup = nullptr;
   ViewportState viewport;
   PolygonMode mode_front = PolygonMode::fill, mode_back = PolygonMode::fill;
-  bool fills_samples = false;  ///< polygons go into all samples at once
+  bool samples_at_once = false;  ///< what is drawn goes into all samples
   bool unfilled = false;
   bool plain_points = false, plain_lines = false;
   Methods methods;

@@ -60,6 +60,7 @@ void Renderer::Implementation::draw_line(AssembledLine line) {
 
 /// A line inside the clip volume.
 void Renderer::Implementation::draw_clipped_line(const AssembledLine& line) {
+  if (setup->binding->samples_apart) return draw_sampled_line(line);
   if (setup->lines.smooth) return draw_smooth_line(line);
   if (plain_lines && line.depth_offset == 0) {
     WaitingLine waiting;
@@ -93,14 +94,8 @@ void Renderer::Implementation::walk_line_by_method(const AssembledLine& line, vo
 
 /// Whole, or the stretches of unit rectangles that the stipple keeps [GL1.5 §3.4.2].
 /// choice: neighbours make one rectangle, as they do without a stipple.
-void Renderer::Implementation::draw_smooth_line(const AssembledLine& line) {
-  const auto draw_stretch = [&](double begin, double end) {
-    auto* shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape;
-    void* memory = bins.allocate(record_size(*setup));
-    if (setup_smooth_line(*setup, vertices, line, begin, end, memory, *shape)) {
-      bins.add_smooth(*static_cast<PrimitiveRecord*>(memory));
-    }
-  };
+template <class DrawStretch>
+void Renderer::Implementation::draw_stretches(const AssembledLine& line, DrawStretch draw_stretch) {
   const double length = length_of(vertices, line);
   if (!stippled()) return draw_stretch(0.0, length);
   const auto rectangles = static_cast<StippleCount>(std::ceil(length));
@@ -111,6 +106,26 @@ void Renderer::Implementation::draw_smooth_line(const AssembledLine& line) {
     i = end + 1;
   }
   stipple_count += rectangles;
+}
+
+void Renderer::Implementation::draw_smooth_line(const AssembledLine& line) {
+  draw_stretches(line, [&](double begin, double end) {
+    auto* shape = new (bins.allocate(sizeof(SmoothShape))) SmoothShape;
+    void* memory = bins.allocate(record_size(*setup));
+    if (setup_smooth_line(*setup, vertices, line, begin, end, memory, *shape)) {
+      bins.add_smooth(*static_cast<PrimitiveRecord*>(memory));
+    }
+  });
+}
+
+/// Into all samples of its pixels at once [GL1.5 §3.4.4].
+void Renderer::Implementation::draw_sampled_line(const AssembledLine& line) {
+  const std::size_t bytes = record_size(*setup);
+  draw_stretches(line, [&](double begin, double end) {
+    void* memory = bins.allocate(bytes);
+    if (!setup_sampled_line(*setup, vertices, line, begin, end, memory)) return bins.take_back(bytes);
+    bins.add_polygon(*static_cast<PrimitiveRecord*>(memory));
+  });
 }
 
 void Renderer::Implementation::draw_point(const AssembledPoint& point) {
@@ -127,7 +142,7 @@ void Renderer::Implementation::draw_point(const AssembledPoint& point) {
   void* memory = bins.allocate(bytes);
   if (!setup_point(*setup, vertices, point, size_px, memory, shape)) return bins.take_back(bytes);
   const auto& record = *static_cast<PrimitiveRecord*>(memory);
-  shape != nullptr ? bins.add_smooth(record) : bins.add_polygon(record);
+  shape != nullptr && !setup->binding->samples_apart ? bins.add_smooth(record) : bins.add_polygon(record);
 }
 
 }  // namespace gouraud::pipeline

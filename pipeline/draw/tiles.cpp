@@ -181,9 +181,10 @@ void TileBins::add_polygon(const PrimitiveRecord& record) {
   for (std::int32_t y = first_y; y <= last_y; ++y) {
     for (std::int32_t x = first_x; x <= last_x; ++x) {
       const auto outside = [&](const EdgeFunction& edge) {
-        return tile_is_outside(sample_ == all_samples ? moved_in(edge) : edge, x * tile_size, y * tile_size);
+        return tile_is_outside(record.binding->samples_apart ? moved_in(edge) : edge, x * tile_size, y * tile_size);
       };
-      if (std::none_of(record.edges.begin(), record.edges.end(), outside)) add(y * target_->tiles_x + x, entry);
+      const bool misses = record.is_rectangle ? std::ranges::any_of(record.rectangle.all(), outside) : std::ranges::any_of(record.edges, outside);
+      if (!misses) add(y * target_->tiles_x + x, entry);
     }
   }
 }
@@ -387,7 +388,7 @@ void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, c
   std::array<SeenBlock, most_seen_blocks> seen;
   std::size_t count = 0;
   if (group.all_small) {
-    count = group.state->binding->passes.small_triangles(group, x, y, pixels, seen.data());
+    count = group.state->binding->passes.small_triangles.one(group, x, y, pixels, seen.data());
   } else {
     set_up_depths(group);
     count = rasterize(group, x, y, seen.data());
@@ -406,45 +407,12 @@ void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, c
   group.count = 0;
 }
 
-/// The same, with the early passes and the late ones for every sample.
-void TileBins::run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const SampleTargets& targets, SampleBlockFinder find) {
-  if (group.count == 0) return;
-  set_up_depths(group);
-  std::array<SampleBlock, group_capacity * most_sample_blocks> seen;
-  std::size_t count = 0;
-  std::uint32_t seen_triangles = 0;
-  for (std::size_t i = 0; i < group.count; ++i) {
-    SampleBlock* const found = seen.data() + count;
-    const std::size_t end = count + find(group.record(i), x, y, found);
-    for (std::size_t k = count, last = end; k < last; ++k) {
-      if (!run_early_passes(group.record(i), seen[k], targets)) continue;
-      seen[count] = seen[k];
-      seen[count++].primitive = static_cast<std::int32_t>(i);
-      seen_triangles |= 1u << i;
-    }
-  }
-  if (seen_triangles != 0) set_up_colors(group, seen_triangles);
-  for (const SampleBlock& block : std::span(seen).first(count)) {
-    run_late_passes(group.record(static_cast<std::size_t>(block.primitive)), block, targets);
-  }
-  group.count = 0;
-}
-
-void TileBins::run_polygon(const PrimitiveRecord& polygon, std::int32_t x, std::int32_t y, const SampleTargets& pixels,
-                           SampleBlockFinder find) {
-  const SampleTargets targets = place_samples(pixels, *polygon.binding);
-  std::array<SampleBlock, most_sample_blocks> found;
-  for (SampleBlock& block : std::span(found).first(find(polygon, x, y, found.data()))) {
-    if (run_early_passes(polygon, block, targets)) run_late_passes(polygon, block, targets);
-  }
-}
-
 template <class RunGroup>
 std::size_t TileBins::run_triangles(std::span<const Entry> entries, const RunGroup& run_group) {
   const SetupState& state = *entries[0].state;
   alignas(64) std::array<std::byte, group_capacity * largest_record> records;
   TriangleGroup group(state, records.data());
-  const bool has_road = state.binding->passes.small_triangles != nullptr;
+  const bool has_road = state.binding->passes.small_triangles.one != nullptr;
   std::size_t done = 0, ahead = 0;
   for (; done < entries.size() && entries[done].kind == EntryKind::triangles && entries[done].state == &state &&
          entries[done].sample == entries[0].sample; ++done) {
@@ -492,6 +460,40 @@ void TileBins::run_blocks(const Entry& entry, std::int32_t x, std::int32_t y, co
   }
 }
 
+/// The samples that an entry is for, when it is for all: those of its binding.
+std::uint32_t TileBins::samples_of(const Entry& entry) {
+  switch (entry.kind) {
+    case EntryKind::triangles:
+    case EntryKind::lines: return entry.state->binding->sample_mask;
+    case EntryKind::points: return static_cast<const PointChunk*>(entry.what)->state->binding->sample_mask;
+    case EntryKind::smooth_polygon: return static_cast<const SmoothPolygon*>(entry.what)->part[0]->binding->sample_mask;
+    case EntryKind::polygon:
+    case EntryKind::smooth:
+    case EntryKind::blocks: return static_cast<const PrimitiveRecord*>(entry.what)->binding->sample_mask;
+    case EntryKind::clear:
+    case EntryKind::accum: break;
+  }
+  return ~0u;
+}
+
+/// An entry that stands for itself, to one sample.
+void TileBins::run_entry(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, const Rasterizers& rasterize) {
+  switch (entry.kind) {
+    case EntryKind::polygon: return rasterize.polygon(*static_cast<const PrimitiveRecord*>(entry.what), x, y, pixels);
+    case EntryKind::lines: return run_lines(entry, x, y, pixels, rasterize.polygon);
+    case EntryKind::points: return run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels);
+    case EntryKind::smooth: {
+      const auto& record = *static_cast<const PrimitiveRecord*>(entry.what);
+      return record.shape->rasterize(record, x, y, pixels);
+    }
+    case EntryKind::smooth_polygon: return rasterize_smooth(*static_cast<const SmoothPolygon*>(entry.what), x, y, pixels);
+    case EntryKind::blocks: return run_blocks(entry, x, y, pixels);
+    case EntryKind::triangles:
+    case EntryKind::clear:
+    case EntryKind::accum: break;
+  }
+}
+
 void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
   std::vector<Entry>& bin = bins_[static_cast<std::size_t>(bin_index)];
   const std::int32_t tiles = target_->tile_count(), tile = bin_index % tiles;
@@ -513,38 +515,26 @@ void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
     }
     touched = draws;
     const bool into_all = entry.sample == all_samples;
-    const TileTarget& pixels = all_pixels[draws && !into_all ? static_cast<std::size_t>(entry.sample - first_sample) : 0];
-    switch (entry.kind) {
-      case EntryKind::accum:
-        for (std::int32_t k = 0; k < samples; ++k) accumulate_tile(target_of(k), tile, *static_cast<const AccumState*>(entry.what));
-        break;
-      case EntryKind::clear:
-        for (std::int32_t k = 0; k < samples; ++k) clear_tile(target_of(k), tile, *static_cast<const ClearState*>(entry.what));
-        break;
-      case EntryKind::polygon: {
-        const auto& polygon = *static_cast<const PrimitiveRecord*>(entry.what);
-        into_all ? run_polygon(polygon, x, y, all_pixels, rasterize.sample_blocks) : rasterize.polygon(polygon, x, y, pixels);
-        break;
+    const std::uint32_t wanted = into_all ? samples_of(entry) : 1u << (draws ? entry.sample - first_sample : 0);
+    if (entry.kind == EntryKind::accum) {
+      for (std::int32_t k = 0; k < samples; ++k) accumulate_tile(target_of(k), tile, *static_cast<const AccumState*>(entry.what));
+    } else if (entry.kind == EntryKind::clear) {
+      for (std::int32_t k = 0; k < samples; ++k) clear_tile(target_of(k), tile, *static_cast<const ClearState*>(entry.what));
+    } else if (entry.kind == EntryKind::triangles) {
+      const std::span entries = std::span(bin).subspan(i);
+      if (into_all) {
+        const SampleTargets targets = place_samples(all_pixels, *entry.state->binding);
+        done = run_triangles(entries, [&](TriangleGroup& group) { run_group(group, x, y, targets, rasterize); });
+      } else {
+        const TileTarget& pixels = all_pixels[static_cast<std::size_t>(entry.sample - first_sample)];
+        done = run_triangles(entries, [&](TriangleGroup& group) { run_group(group, x, y, pixels, rasterize.group); });
       }
-      case EntryKind::lines: run_lines(entry, x, y, pixels, rasterize.polygon); break;
-      case EntryKind::points: run_points(*static_cast<const PointChunk*>(entry.what), x, y, pixels); break;
-      case EntryKind::smooth: {
-        const auto& record = *static_cast<const PrimitiveRecord*>(entry.what);
-        record.shape->rasterize(record, x, y, pixels);
-        break;
+    } else if (into_all && entry.kind == EntryKind::polygon) {
+      run_polygon(*static_cast<const PrimitiveRecord*>(entry.what), x, y, all_pixels, rasterize.sample_blocks);
+    } else {
+      for (std::int32_t k = 0; k < samples; ++k) {
+        if ((wanted >> k & 1) != 0) run_entry(entry, x, y, all_pixels[static_cast<std::size_t>(k)], rasterize);
       }
-      case EntryKind::smooth_polygon: rasterize_smooth(*static_cast<const SmoothPolygon*>(entry.what), x, y, pixels); break;
-      case EntryKind::triangles: {
-        const std::span entries = std::span(bin).subspan(i);
-        if (into_all) {
-          const SampleTargets targets = place_samples(all_pixels, *entry.state->binding);
-          done = run_triangles(entries, [&](TriangleGroup& group) { run_group(group, x, y, targets, rasterize.sample_blocks); });
-        } else {
-          done = run_triangles(entries, [&](TriangleGroup& group) { run_group(group, x, y, pixels, rasterize.group); });
-        }
-        break;
-      }
-      case EntryKind::blocks: run_blocks(entry, x, y, pixels); break;
     }
     for (const std::size_t end = i + done; i < end; ++i) look_ahead.pass(i);
   }
@@ -553,7 +543,7 @@ void TileBins::run_bin(std::int32_t bin_index, const Rasterizers& rasterize) {
 
 void TileBins::run() {
   if (touched_.empty()) return;
-  const Rasterizers rasterize{polygon_rasterizer(), group_rasterizer(), sample_block_finder()};
+  const Rasterizers rasterize{polygon_rasterizer(), group_rasterizer(), sample_block_finder(), sample_mask_cutter()};
   workers_.run(static_cast<std::int32_t>(touched_.size()), entry_count_ >= entries_worth_waking,
                [&](std::int32_t i) { run_bin(touched_[static_cast<std::size_t>(i)], rasterize); });
   touched_.clear();

@@ -67,7 +67,7 @@ class TileBins {
   void* allocate(std::size_t bytes) { return arena_.allocate(bytes); }
   void take_back(std::size_t bytes) { arena_.take_back(bytes); }
 
-  /// Which sample of each pixel the next primitives are for. Clears are for all. Triangles may go into all at once, if their
+  /// Which sample of each pixel the next primitives are for. Clears are for all. What is drawn goes into all at once, if its
   /// binding has a sample_mask.
   static constexpr std::int32_t all_samples = -1;
   void select_sample(std::int32_t sample) {
@@ -135,10 +135,15 @@ class TileBins {
     PolygonRasterizer polygon;
     GroupRasterizer group;
     SampleBlockFinder sample_blocks;
+    SampleMaskCutter cut_masks;
   };
   static void run_polygon(const PrimitiveRecord& polygon, std::int32_t x, std::int32_t y, const SampleTargets& pixels,
                           SampleBlockFinder find);
-  static void run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const SampleTargets& targets, SampleBlockFinder find);
+  static void run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const SampleTargets& targets, const Rasterizers& rasterize);
+  static std::uint32_t samples_of(const Entry& entry);
+  static void run_entry(const Entry& entry, std::int32_t x, std::int32_t y, const TileTarget& pixels, const Rasterizers& rasterize);
+  static std::size_t find_seen(const TriangleGroup& group, std::int32_t x, std::int32_t y, const SampleTargets& targets,
+                               const Rasterizers& rasterize, SampleBlock* seen);
   void run_bin(std::int32_t bin_index, const Rasterizers& rasterize);
   static void run_group(TriangleGroup& group, std::int32_t x, std::int32_t y, const TileTarget& pixels, GroupRasterizer rasterize);
   /// The first entry and triangles of equal state right after it: `run` takes each group. Returns the number of entries done.

@@ -193,7 +193,7 @@ PixelWatch make_pixel_watch(const Watch& watch, std::int64_t draw, const Fragmen
 FragmentPasses watched(const FragmentPasses& passes) {
   FragmentPasses result = passes;
   for (std::size_t i = 0; i < static_cast<std::size_t>(passes.count); ++i) result.pass[i] = steps[i];
-  result.small_triangles = nullptr;
+  result.small_triangles = {};
   result.group_depth = nullptr;
   result.early = result.shaded = 0;  // a fragment's passes one after the other, anew for each sample
   return result;

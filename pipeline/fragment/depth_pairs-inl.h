@@ -74,7 +74,7 @@ HWY_INLINE void test_pairs(const Blocks& blocks, std::uint64_t bits, bool write,
   }
 }
 
-/// Road::of<Format, Func>() for this depth test on a buffer of this format; null for formats that have no integer in 24 bits.
+/// Road::of<Format, Func>() for this depth test on a buffer of this format; none for formats that have no integer in 24 bits.
 template <class Road, class Format>
 auto road_of(CompareFunc func) -> decltype(Road::template of<Format, Always>()) {
   switch (func) {
@@ -84,7 +84,7 @@ auto road_of(CompareFunc func) -> decltype(Road::template of<Format, Always>()) 
     case CompareFunc::gequal: return Road::template of<Format, Gequal>();
     case CompareFunc::equal: return Road::template of<Format, Equal>();
     case CompareFunc::notequal: return Road::template of<Format, Notequal>();
-    case CompareFunc::never: return nullptr;
+    case CompareFunc::never: return {};
     case CompareFunc::always: break;
   }
   return Road::template of<Format, Always>();
@@ -98,7 +98,7 @@ auto road_for(CompareFunc func, DepthFormat format) -> decltype(road_of<Road, Z1
     case DepthFormat::z32f:
     case DepthFormat::none: break;
   }
-  return nullptr;
+  return {};
 }
 
 }  // namespace gouraud::pipeline::HWY_NAMESPACE

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pipeline/draw/limits.h"
 #include "pipeline/raster/varyings.h"
 
 namespace gouraud::pipeline {
@@ -50,10 +51,16 @@ using FragmentPass = void (*)(FragmentBlock& block, const TileTarget& target);
 
 struct TriangleGroup;  // triangles.h
 struct SeenBlock;      // polygons.h
-/// Coverage and early passes of a group of small triangles at once (draw/small_triangles.h): lists the blocks that they leave
-/// in order and returns their number. The triangles of these have their records begun.
-using SmallTriangleTest = std::size_t (*)(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target,
-                                          SeenBlock* seen);
+struct SampleBlock;    // sample_blocks.h
+/// Coverage and early passes of a group of small triangles at once (draw/small_triangles.h), in one sample or in all: lists
+/// the blocks that they leave in order and returns their number. `seen` has room for one more. The triangles of these have
+/// their records begun.
+struct SmallTriangleTests {
+  std::size_t (*one)(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target, SeenBlock* seen) = nullptr;
+  std::size_t (*all)(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y,
+                     const std::array<TileTarget, max_samples>& targets, SampleBlock* seen) = nullptr;
+  bool operator==(const SmallTriangleTests&) const = default;
+};
 /// Early passes of a group at once (draw/group_depth.h): leaves of the blocks that it covers those that are seen, in order, and
 /// returns their number.
 using GroupDepthTest = std::size_t (*)(const TriangleGroup& group, SeenBlock* blocks, std::size_t count, const TileTarget& target);
@@ -70,7 +77,7 @@ struct FragmentPasses {
   /// The depth test that the stencil pass runs, where there is one of both.
   FragmentPass depth_in_stencil = nullptr;
   /// Where the early passes are a depth test and nothing else; null: small triangles go the way of all.
-  SmallTriangleTest small_triangles = nullptr;
+  SmallTriangleTests small_triangles{};
   /// The same for other triangles; null: block by block.
   GroupDepthTest group_depth = nullptr;
 

@@ -1,10 +1,11 @@
-// Lines and points to records [GL1.5 §3.3, §3.4]: where they cover pixels (line_coverage.h, a box, a smooth shape), and
-// how depth and colour vary along a line. Points are the same all over.
+// Lines and points to records [GL1.5 §3.3, §3.4]: where they cover pixels (line_coverage.h, a box, a smooth shape, a
+// rectangle of samples), and how depth and colour vary along a line. Points are the same all over.
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <new>
 
+#include "pipeline/raster/rectangle_edges.h"
 #include "pipeline/raster/setup.h"
 #include "pipeline/raster/smooth.h"
 
@@ -73,9 +74,9 @@ PrimitiveRecord& write_line_record(const SetupState& state, const WindowVertex& 
   shaded[1].color = shaded[2].color = colors[1];
   make_color_planes(basis, shaded, state.targets, color);
   // Beyond an end a line is extrapolated too, up to what a color can be; in perspective only up to the ends' colors,
-  // because 1/w may pass zero there.
+  // because 1/w may pass zero there. So it is where a pixel's centre stands for samples that lie before the end.
   color.clamp = color.variation != ColorVariation::constant;
-  if (color.variation == ColorVariation::affine) {
+  if (color.variation == ColorVariation::affine && !state.binding->samples_apart) {
     color.minimum.fill(0.0f);
     color.maximum.fill(state.targets.color_scale);
   }
@@ -102,7 +103,7 @@ PrimitiveRecord& write_line_record(const SetupState& state, const ProcessedVerti
     VaryingRecord& out = varying_record(state, memory);
     make_varying_planes(basis_of_line(state, v0, v1), {&v0, &v1, &v1},
                         {varyings[0].data(), varyings[1].data(), varyings[1].data()}, count, out);
-    out.clamp = out.perspective;  // as colors, above
+    out.clamp = out.perspective || state.binding->samples_apart;  // as colors, above
   }
   PrimitiveRecord& record = write_line_record(state, v0, v1, colors_of_line(state, vertices, line), line.depth_offset, memory);
   record.back = line.back;
@@ -192,6 +193,28 @@ PixelRect box_of_sprite(const SetupState& state, const WindowVertex& vertex, flo
   const std::int64_t top = (static_cast<std::int64_t>(state.target_height_px) - 1) * subpixels;
   return {first_sample(snap(vertex.x - half)), first_sample(top - snap(vertex.y_raster + half)),
           first_sample(snap(vertex.x + half)), first_sample(top - snap(vertex.y_raster - half))};
+}
+
+/// The rectangle of a line's stretch: its first and second corner lie on the right of its way.
+SmoothShape shape_of_stretch(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
+                             double end) {
+  const double length = length_of(vertices, line);
+  const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
+  const double along_x = (static_cast<double>(v1.x) - v0.x) / length;
+  const double along_y = (static_cast<double>(v0.y_raster) - v1.y_raster) / length;
+  const double x = v0.x, y = static_cast<double>(state.target_height_px) - v0.y_raster, half = 0.5 * state.lines.width_px;
+  const auto corner = [&](double along, double across) {
+    return SmoothShape::Corner{x + along_x * along - along_y * across, y + along_y * along + along_x * across};
+  };
+  return {{corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)}, 4, 0.0, state.sampled};
+}
+
+/// The record covers the samples inside the rectangle.
+void set_rectangle(const SmoothShape& shape, double width, PrimitiveRecord& record) {
+  const auto& corner = shape.corner;
+  const auto between = [](SmoothShape::Corner a, SmoothShape::Corner b) { return Point2{0.5 * (a.x + b.x), 0.5 * (a.y + b.y)}; };
+  new (&record.rectangle) RectangleEdges(edges_of_rectangle(between(corner[0], corner[3]), between(corner[1], corner[2]), width));
+  record.is_rectangle = true;
 }
 
 /// A disc, or the square of a sprite.
@@ -290,21 +313,25 @@ double length_of(const ProcessedVertices& vertices, const AssembledLine& line) {
 
 bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
                        double end, void* memory, SmoothShape& shape) {
-  const double length = length_of(vertices, line);
-  if (!(length > 0)) return false;
-  const WindowVertex &v0 = vertices.window[line.vertex[0]], &v1 = vertices.window[line.vertex[1]];
-  const double along_x = (static_cast<double>(v1.x) - v0.x) / length;
-  const double along_y = (static_cast<double>(v0.y_raster) - v1.y_raster) / length;
-  const double x = v0.x, y = static_cast<double>(state.target_height_px) - v0.y_raster, half = 0.5 * state.lines.width_px;
-  const auto corner = [&](double along, double across) {
-    return SmoothShape::Corner{x + along_x * along - along_y * across, y + along_y * along + along_x * across};
-  };
-  shape = {{corner(begin, -half), corner(end, -half), corner(end, half), corner(begin, half)}, 4, 0.0, state.sampled};
+  if (!(length_of(vertices, line) > 0)) return false;
+  shape = shape_of_stretch(state, vertices, line, begin, end);
   const PixelRect box = box_of(shape);
   if (intersection(box, state.scissor).empty()) return false;
   PrimitiveRecord& record = write_line_record(state, vertices, line, memory);
   set_box(state, box, record);
   record.shape = &shape;
+  return true;
+}
+
+bool setup_sampled_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
+                        double end, void* memory) {
+  if (!(length_of(vertices, line) > 0)) return false;
+  const SmoothShape shape = shape_of_stretch(state, vertices, line, begin, end);
+  const PixelRect box = box_of(shape);
+  if (intersection(box, state.scissor).empty()) return false;
+  PrimitiveRecord& record = write_line_record(state, vertices, line, memory);
+  set_box(state, box, record);
+  set_rectangle(shape, state.lines.width_px, record);
   return true;
 }
 
@@ -340,6 +367,7 @@ bool setup_point(const SetupState& state, const ProcessedVertices& vertices, con
                     *reinterpret_cast<VaryingRecord*>(varying_memory(state, memory)));
   }
   if (has_shape(state)) record.shape = shape;
+  if (state.points.sprite && state.binding->samples_apart) set_rectangle(*shape, static_cast<double>(drawn_px), record);
   return true;
 }
 

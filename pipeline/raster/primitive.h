@@ -34,14 +34,14 @@ struct RasterBinding {
   const MethodState* method = nullptr;        ///< interned too; what passes of methods need; null: there are none
   const PixelWatch* watch = nullptr;          ///< somebody looks on: passes tell what they do; null: nobody
   const PlacedImage* image = nullptr;         ///< of a pixel rectangle: gives colour or depth; null: none
-  /// Of polygons that go into all samples of their pixels at once (sample_blocks.h): bit k: into sample k. 0: into one.
+  /// Of draws that go into all samples of their pixels at once (sample_blocks.h): bit k: into sample k. 0: into one.
   std::uint8_t sample_mask = 0;
   bool samples_apart = false;  ///< each sample has its own place; else all are where the pixel's centre is
   bool operator==(const RasterBinding&) const = default;
 };
 
-/// Pixel (i, j) lies on the inner side if a * i + b * j + c >= 0; the tie rule is part of c. Where a binding has a
-/// sample_mask, c is 256 times as fine: a sample (x, y) / 256 pixel from the centre has (c + a * x + b * y) / 256, rounded down.
+/// Pixel (i, j) lies on the inner side if a * i + b * j + c >= 0; the tie rule is part of c. Where a binding's samples are
+/// apart, c is 256 times as fine: a sample (x, y) / 256 pixel from the centre has (c + a * x + b * y) / 256, rounded down.
 ///
 /// Width: window coordinates are at most 2^16 pixels from the origin and a clipped primitive at most 2^14 across
 /// (viewport_limits below), so in 1/256 pixel |a|, |b| <= 2^22 and |c| < 2^40: int64 with room. Relative to a 64x64
@@ -53,6 +53,14 @@ struct EdgeFunction {
 inline constexpr int subpixel_bits = 8;
 inline constexpr int subpixels = 1 << subpixel_bits;
 static_assert(64LL * 2 * ((16384LL << subpixel_bits) + 1) < (1LL << 31), "an edge's values inside a tile fit int32");
+
+/// The edges of a rectangle whose samples are apart: opposite ones differ in sign and in c (rectangle_edges.h).
+struct RectangleEdges {
+  std::array<std::int64_t, 4> c;
+  std::int32_t a, b;
+
+  std::array<EdgeFunction, 4> all() const { return {{{c[0], a, b}, {c[1], -a, -b}, {c[2], b, -a}, {c[3], -b, a}}}; }
+};
 
 struct PrimitiveRecord;
 /// As PolygonRasterizer (polygons.h): finds the primitive's pixels in a tile.
@@ -97,14 +105,19 @@ struct DepthPlane {
 
 struct alignas(64) PrimitiveRecord {
   const RasterBinding* binding = nullptr;
-  std::array<EdgeFunction, 3> edges{};
+  union {
+    std::array<EdgeFunction, 3> edges{};
+    RectangleEdges rectangle;  ///< if is_rectangle
+  };
   std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;  ///< pixels [x0, x1) x [y0, y1) that it may touch; inside the scissor
+  bool is_rectangle = false;
   bool scissored = false;  ///< the scissor cuts the edges' box: block masks are cut to the box above
   bool is_polygon = false; ///< filled: the polygon stipple applies
   bool back = false;       ///< of a polygon that faces away: it takes the back side's stencil test
   DepthPlane depth{};
   const SmoothShape* shape = nullptr;  ///< null: the edges say it all
 };
+static_assert(sizeof(PrimitiveRecord) == 128);
 
 /// Follows the PrimitiveRecord in memory if the plan interpolates colours; setup fills what the variation needs. Colour is
 ///   plane (affine), base + plane / inverse_w_plane (perspective), or base (constant),

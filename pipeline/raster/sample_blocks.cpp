@@ -1,5 +1,5 @@
-// Takes a tile and edge functions, gives blocks with the coverage of each sample: edges are exact at every sample. Blocks
-// that an edge has wholly on one side, whichever sample, skip its test.
+// Takes a tile and edge functions or a disc, gives blocks with the coverage of each sample: edges are exact at every sample.
+// Blocks that an edge has wholly on one side, whichever sample, skip its test.
 #include "pipeline/raster/sample_blocks.h"
 
 #include <algorithm>
@@ -34,13 +34,11 @@ enum class TileSide : std::uint8_t { outside, inside, crossed };
 
 /// An edge of 22 bits crosses the tile: its values are below 2^30 (see EdgeFunction; a sample is less than a pixel away).
 HWY_INLINE TileSide enter_tile(const EdgeFunction& edge, bool apart, std::int32_t tile_x, std::int32_t tile_y, SampleEdge& out) {
-  const std::int64_t c = edge.c + subpixels * (std::int64_t{edge.a} * tile_x + std::int64_t{edge.b} * tile_y);
+  const std::int64_t to_tile = std::int64_t{edge.a} * tile_x + std::int64_t{edge.b} * tile_y;
   std::array<std::int64_t, max_samples> value;
   for (std::size_t k = 0; k < max_samples; ++k) {
-    const auto from_center = [&](std::size_t axis) HWY_ATTR {
-      return apart ? static_cast<std::int64_t>((sample_positions[k][axis] - 0.5f) * subpixels) : 0;
-    };
-    value[k] = (c + edge.a * from_center(0) + edge.b * from_center(1)) >> subpixel_bits;
+    const auto from_center = [&](std::size_t axis) HWY_ATTR { return static_cast<std::int64_t>((sample_positions[k][axis] - 0.5f) * subpixels); };
+    value[k] = to_tile + (apart ? (edge.c + edge.a * from_center(0) + edge.b * from_center(1)) >> subpixel_bits : edge.c);
   }
   const auto [low, high] = std::minmax_element(value.begin(), value.end());
   if (*high + most_growth(edge, tile_size - 1) < 0) return TileSide::outside;
@@ -53,15 +51,50 @@ HWY_INLINE TileSide enter_tile(const EdgeFunction& edge, bool apart, std::int32_
   return TileSide::crossed;
 }
 
+/// The edges that cross a tile.
+struct CrossingEdges {
+  std::array<SampleEdge, 4> edge;
+  std::size_t count = 0;
+  bool outside = false;  ///< one has the tile on its outer side
+
+  template <class Edges>
+  HWY_INLINE void enter(const Edges& edges, bool apart, std::int32_t tile_x, std::int32_t tile_y) {
+    for (std::size_t i = 0; i < edges.size() && !outside; ++i) {
+      const TileSide side = enter_tile(edges[i], apart, tile_x, tile_y, edge[count]);
+      outside = side == TileSide::outside;
+      count += side == TileSide::crossed ? 1 : 0;
+    }
+  }
+};
+
+/// The pixels of a block, from (x, y) on, whose sample `k` lies in the disc.
+HWY_INLINE std::uint64_t inside_disc(const SmoothShape& disc, std::int32_t x, std::int32_t y, std::size_t k) {
+  const hn::CappedTag<double, block_size> d;
+  const auto columns = hn::Set(d, x + double{sample_positions[k][0]} - disc.corner[0].x);
+  const auto squared = hn::Set(d, disc.radius * disc.radius);
+  std::uint64_t mask = 0;
+  for (std::size_t row = 0; row < block_size; ++row) {
+    const auto dy = hn::Set(d, y + static_cast<double>(row) + double{sample_positions[k][1]} - disc.corner[0].y);
+    for (std::size_t column = 0; column < block_size; column += hn::Lanes(d)) {
+      const auto dx = hn::Add(columns, hn::Iota(d, static_cast<double>(column)));
+      std::uint64_t bits = 0;
+      hn::StoreMaskBits(d, hn::Lt(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), squared), reinterpret_cast<std::uint8_t*>(&bits));
+      mask |= bits << (row * block_size + column);
+    }
+  }
+  return mask;
+}
+
 std::size_t find_blocks(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, SampleBlock* out) {
   const RasterBinding& binding = *primitive.binding;
-  std::array<SampleEdge, 3> edges;
-  std::size_t edge_count = 0;
-  for (const EdgeFunction& edge : primitive.edges) {
-    const TileSide side = enter_tile(edge, binding.samples_apart, tile_x, tile_y, edges[edge_count]);
-    if (side == TileSide::outside) return 0;
-    if (side == TileSide::crossed) ++edge_count;
+  const SmoothShape* const disc = primitive.is_rectangle ? nullptr : primitive.shape;
+  CrossingEdges edges;
+  if (primitive.is_rectangle) {
+    edges.enter(primitive.rectangle.all(), binding.samples_apart, tile_x, tile_y);
+  } else {
+    edges.enter(primitive.edges, binding.samples_apart, tile_x, tile_y);
   }
+  if (edges.outside) return 0;
   std::array<std::uint64_t, max_samples> wanted;
   for (std::size_t k = 0; k < max_samples; ++k) wanted[k] = (binding.sample_mask >> k & 1) != 0 ? ~std::uint64_t{0} : 0;
 
@@ -73,8 +106,8 @@ std::size_t find_blocks(const PrimitiveRecord& primitive, std::int32_t tile_x, s
       SampleBlock& block = out[count];
       block.coverage = wanted;
       bool outside = false;
-      for (std::size_t e = 0; e < edge_count && !outside; ++e) {
-        const SampleEdge& edge = edges[e];
+      for (std::size_t e = 0; e < edges.count && !outside; ++e) {
+        const SampleEdge& edge = edges.edge[e];
         const std::int32_t step = edge.a * (column * block_size) + edge.b * (row * block_size);
         outside = edge.most + step < 0;
         if (outside || edge.least + step >= 0) continue;
@@ -84,11 +117,44 @@ std::size_t find_blocks(const PrimitiveRecord& primitive, std::int32_t tile_x, s
       block.x = tile_x + column * block_size;
       block.y = tile_y + row * block_size;
       block.first_pixel = (row * blocks_per_tile_row + column) * pixels_per_block;
+      for (std::size_t k = 0; disc != nullptr && k < max_samples; ++k) block.coverage[k] &= inside_disc(*disc, block.x, block.y, k);
       std::uint64_t some = 0;
       const std::uint64_t box = primitive.scissored ? box_mask(primitive, block.x, block.y) : ~std::uint64_t{0};
       for (std::uint64_t& coverage : block.coverage) some |= coverage &= box;
       count += some != 0 ? 1 : 0;
     }
+  }
+  return count;
+}
+
+/// As cut_mask in polygons.cpp, a sample a lane.
+std::size_t cut_masks(const std::array<std::uint64_t, max_samples>& masks, std::int32_t x, std::int32_t y, std::int32_t tile_x,
+                      std::int32_t tile_y, SampleBlock* out) {
+  const hn::CappedTag<std::uint64_t, max_samples> d;
+  const std::int32_t column = (x - tile_x) >> 3, row = (y - tile_y) >> 3, right = x & 7, up = y & 7;  // rounded down
+  static_assert(block_size == 8 && tile_size % 8 == 0);
+  const auto stay = hn::Set(d, (0xFFu >> right) * std::uint64_t{0x0101010101010101u});
+  const auto put = [&](std::size_t block, hn::Vec<decltype(d)> coverage, std::size_t k) HWY_ATTR { hn::StoreU(coverage, d, out[block].coverage.data() + k); };
+  for (std::size_t k = 0; k < max_samples; k += hn::Lanes(d)) {
+    const auto mask = hn::LoadU(d, masks.data() + k);
+    const auto left_half = hn::ShiftLeftSame(hn::And(mask, stay), right), right_half = hn::ShiftRightSame(hn::AndNot(stay, mask), 8 - right);
+    put(0, hn::ShiftLeftSame(left_half, 8 * up), k);
+    put(1, hn::ShiftLeftSame(right_half, 8 * up), k);
+    put(2, hn::ShiftRight<8>(hn::ShiftRightSame(left_half, 56 - 8 * up)), k);
+    put(3, hn::ShiftRight<8>(hn::ShiftRightSame(right_half, 56 - 8 * up)), k);
+  }
+  std::size_t count = 0;
+  for (std::int32_t i = 0; i < 4; ++i) {
+    const std::int32_t block_column = column + i % 2, block_row = row + i / 2;
+    const auto in_tile = [](std::int32_t place) { return static_cast<std::uint32_t>(place) < static_cast<std::uint32_t>(blocks_per_tile_row); };
+    std::uint64_t some = 0;
+    for (const std::uint64_t coverage : out[i].coverage) some |= coverage;
+    if (some == 0 || !in_tile(block_column) || !in_tile(block_row)) continue;
+    SampleBlock& block = out[count++];
+    block.coverage = out[i].coverage;
+    block.x = tile_x + block_column * block_size;
+    block.y = tile_y + block_row * block_size;
+    block.first_pixel = (block_row * blocks_per_tile_row + block_column) * pixels_per_block;
   }
   return count;
 }
@@ -101,6 +167,7 @@ namespace gouraud::pipeline {
 static_assert(subpixels == 256 && sample_reach < subpixels / 2);
 
 SampleBlockFinder sample_block_finder() { return GOURAUD_SIMD_PICK(find_blocks); }
+SampleMaskCutter sample_mask_cutter() { return GOURAUD_SIMD_PICK(cut_masks); }
 
 SampleTargets place_samples(const SampleTargets& pixels, const RasterBinding& binding) {
   SampleTargets targets = pixels;
@@ -143,6 +210,7 @@ void run_late_passes(const PrimitiveRecord& primitive, const SampleBlock& block,
   begin(primitive, block, fragments);
   fragments.coverage = 0;
   for (const std::uint64_t coverage : block.coverage) fragments.coverage |= coverage;
+  if (primitive.shape != nullptr) fragments.pixel_coverage.fill(primitive.shape->fade);
   run_passes(passes, passes.early, passes.shaded, fragments, targets[0]);
   const std::uint64_t shaded = fragments.coverage;
 

@@ -1,4 +1,4 @@
-// Polygons into all samples of their pixels at once [GL1.5 §3.2.1, §3.5.6].
+// Points, lines and polygons into all samples of their pixels at once [GL1.5 §3.2.1, §3.3.3, §3.4.4, §3.5.6].
 //
 // Coverage and depth are those of each sample's own place; a fragment has one colour and one set of texture coordinates
 // for all of its samples, those of the pixel's centre, kept in the range of the vertices where the centre lies outside.
@@ -27,8 +27,12 @@ inline constexpr std::size_t most_sample_blocks = std::size_t{blocks_per_tile_ro
 /// Lists the blocks that the primitive touches in the tile whose first pixel is (tile_x, tile_y), and returns their number:
 /// at most most_sample_blocks. Its binding has a sample_mask.
 using SampleBlockFinder = std::size_t (*)(const PrimitiveRecord& primitive, std::int32_t tile_x, std::int32_t tile_y, SampleBlock* out);
-/// The finder for the instruction set in use.
+/// Lists the blocks of a small triangle, of which the selection has the masks (triangles.h): from pixel (x, y) on. At most 4.
+using SampleMaskCutter = std::size_t (*)(const std::array<std::uint64_t, max_samples>& masks, std::int32_t x, std::int32_t y,
+                                         std::int32_t tile_x, std::int32_t tile_y, SampleBlock* out);
+/// For the instruction set in use.
 SampleBlockFinder sample_block_finder();
+SampleMaskCutter sample_mask_cutter();
 
 /// The tile's pixels of each sample, with the places where the binding takes depths.
 using SampleTargets = std::array<TileTarget, max_samples>;

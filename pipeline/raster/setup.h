@@ -27,7 +27,7 @@ struct SetupState {
   bool flat = false;
   bool colors = false;             ///< records are ColoredPrimitives
   bool two_sided = false;          ///< back faces take color_back
-  bool sampled = false;    ///< lines and points are sampled shapes, not smooth ones
+  bool sampled = false;    ///< lines and points are sampled shapes, not smooth ones (where the binding's samples are apart: into all samples)
   bool color_sum = false;  ///< the secondary colour is added here: where no texture stands between, the sum is linear
   PlaneTargets targets{};
   PointState points{};
@@ -139,6 +139,12 @@ void setup_waiting_lines(std::span<const WaitingLine> lines, std::byte* records)
 /// A smooth line, or a stretch of it [GL1.5 §3.4.2]: `begin`, `end` in pixels from its start. False if it draws nothing.
 bool setup_smooth_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
                        double end, void* record, SmoothShape& shape);
+/// The same of a line that goes into all samples of its pixels [GL1.5 §3.4.4]: the record is a rectangle.
+bool setup_sampled_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
+                        double end, void* record);
+/// The same of a line that goes into all samples of its pixels [GL1.5 §3.4.4]: its record is a rectangle.
+bool setup_sampled_line(const SetupState& state, const ProcessedVertices& vertices, const AssembledLine& line, double begin,
+                        double end, void* record);
 /// Its length in pixels.
 double length_of(const ProcessedVertices& vertices, const AssembledLine& line);
 

@@ -56,7 +56,7 @@ struct Boxes {
 /// them by half a step); where samples lie apart at these.
 HWY_INLINE std::int32_t reach_of(const SetupState& state) {
   if (state.polygons.smooth) return subpixels / 2 + 1;
-  return state.binding->samples_apart && state.binding->sample_mask != 0 ? sample_reach : 0;
+  return state.binding->samples_apart ? sample_reach : 0;
 }
 
 /// The pixels that a triangle's box touches.
@@ -97,29 +97,39 @@ HWY_INLINE Facing facing_of(const SnappedTriangles& p) {
 struct BoxEdge {
   Ints value, a, b;
 };
+/// A place in the pixel, in 1/256 pixel from its centre.
+struct SamplePlace {
+  std::int32_t x, y;
+};
+HWY_INLINE SamplePlace sample_place(std::size_t sample) {
+  const auto from_center = [&](std::size_t axis) { return static_cast<std::int32_t>((sample_positions[sample][axis] - 0.5f) * subpixels); };
+  return {from_center(0), from_center(1)};
+}
 /// Lanes that are not `small` get an edge that is nowhere. Of the others every number is below 2^24.
-HWY_INLINE BoxEdge box_edge(const Corner& from, const Corner& to, const Boxes& box, IntMask small) {
+HWY_INLINE BoxEdge box_edge(const Corner& from, const Corner& to, const Boxes& box, SamplePlace sample, IntMask small) {
   const SelectionTag i;
   const Ints zero = hn::Zero(i);
   const Ints a = hn::IfThenElseZero(small, hn::Sub(from.y, to.y)), b = hn::IfThenElseZero(small, hn::Sub(to.x, from.x));
-  const Ints x = hn::IfThenElseZero(small, hn::Sub(from.x, hn::ShiftLeft<subpixel_bits>(box.x0)));
-  const Ints y = hn::IfThenElseZero(small, hn::Sub(from.y, hn::ShiftLeft<subpixel_bits>(box.y0)));
+  const auto from_sample = [&](Ints position, Ints first_pixel, std::int32_t place) HWY_ATTR {
+    return hn::IfThenElseZero(small, hn::Sub(position, hn::Add(hn::ShiftLeft<subpixel_bits>(first_pixel), set_ints(place))));
+  };
+  const Ints x = from_sample(from.x, box.x0, sample.x), y = from_sample(from.y, box.y0, sample.y);
   const auto owns = hn::Or(hn::Gt(a, zero), hn::And(hn::Eq(a, zero), hn::Gt(b, zero)));
   const Ints c = hn::Sub(hn::Neg(hn::Add(hn::Mul(a, x), hn::Mul(b, y))), hn::IfThenZeroElse(owns, set_ints(1)));
   return {hn::ShiftRight<subpixel_bits>(c), a, b};
 }
 
-/// The pixels that the small triangles cover, 8 a row from the box's corner: rows 0 to 3 and 4 to 7.
+/// The pixels that the small triangles cover at the sample's place, 8 a row from the box's corner: rows 0 to 3 and 4 to 7.
 struct Masks {
   Ints low, high;
 };
-HWY_INLINE Masks cover(const SnappedTriangles& p, const Boxes& box, IntMask small, IntMask counter_clockwise) {
+HWY_INLINE Masks cover(const SnappedTriangles& p, const Boxes& box, SamplePlace sample, IntMask small, IntMask counter_clockwise) {
   const SelectionTag i;
   // Positive inside, if the triangle is taken counter-clockwise.
   const Corner &a = p.corner[0], &b = p.corner[1], &c = p.corner[2];
   const Corner second{hn::IfThenElse(counter_clockwise, b.x, c.x), hn::IfThenElse(counter_clockwise, b.y, c.y)};
   const Corner third{hn::IfThenElse(counter_clockwise, c.x, b.x), hn::IfThenElse(counter_clockwise, c.y, b.y)};
-  const BoxEdge edges[3] = {box_edge(a, second, box, small), box_edge(second, third, box, small), box_edge(third, a, box, small)};
+  const BoxEdge edges[3] = {box_edge(a, second, box, sample, small), box_edge(second, third, box, sample, small), box_edge(third, a, box, sample, small)};
   const std::int32_t columns = hn::GetLane(hn::MaxOfLanes(i, hn::IfThenElseZero(small, hn::Sub(box.x1, box.x0))));
   const std::int32_t rows = hn::GetLane(hn::MaxOfLanes(i, hn::IfThenElseZero(small, hn::Sub(box.y1, box.y0))));
 
@@ -152,7 +162,12 @@ HWY_INLINE Masks cover(const SnappedTriangles& p, const Boxes& box, IntMask smal
 /// What the selection finds out.
 struct alignas(64) Selection {
   std::int32_t x0[most_selection_lanes], y0[most_selection_lanes], x1[most_selection_lanes], y1[most_selection_lanes];
-  std::uint32_t low[most_selection_lanes], high[most_selection_lanes];  ///< halves of the masks
+  struct MaskHalves {
+    std::uint32_t low[most_selection_lanes], high[most_selection_lanes];
+    std::uint64_t of(std::size_t lane) const { return low[lane] | static_cast<std::uint64_t>(high[lane]) << 32; }
+  };
+  MaskHalves pixels;                 ///< that have some sample
+  MaskHalves sample[max_samples];    ///< where samples are apart
   std::uint64_t alive, front, scissored, small;
 };
 
@@ -181,13 +196,27 @@ HWY_INLINE void select(const SetupState& state, const SnappedTriangles& p, Selec
   // Find the pixels of small ones, reject those between the samples.
   const Ints most_pixels = set_ints(block_size + 1);
   const auto fits = hn::And(hn::Lt(hn::Sub(box.x1, box.x0), most_pixels), hn::Lt(hn::Sub(box.y1, box.y0), most_pixels));
-  const bool by_centers = !state.polygons.smooth && state.binding->sample_mask == 0;
-  out.small = by_centers ? out.alive & lanes_of(fits) & ~out.scissored : 0;
+  out.small = !state.polygons.smooth ? out.alive & lanes_of(fits) & ~out.scissored : 0;
   if (out.small == 0) return;
-  const Masks masks = cover(p, box, mask_of_lanes(out.small), mask_of_lanes(facing.counter_clockwise));
-  hn::Store(hn::BitCast(hn::RebindToUnsigned<SelectionTag>(), masks.low), hn::RebindToUnsigned<SelectionTag>(), out.low);
-  hn::Store(hn::BitCast(hn::RebindToUnsigned<SelectionTag>(), masks.high), hn::RebindToUnsigned<SelectionTag>(), out.high);
-  out.alive &= ~(out.small & lanes_of(hn::Eq(hn::Or(masks.low, masks.high), hn::Zero(i))));
+  const IntMask small = mask_of_lanes(out.small), counter_clockwise = mask_of_lanes(facing.counter_clockwise);
+  const auto keep = [&](const Masks& masks, Selection::MaskHalves& halves) HWY_ATTR {
+    const hn::RebindToUnsigned<SelectionTag> u;
+    hn::Store(hn::BitCast(u, masks.low), u, halves.low);
+    hn::Store(hn::BitCast(u, masks.high), u, halves.high);
+  };
+  Masks all{hn::Zero(i), hn::Zero(i)};
+  if (state.binding->samples_apart) {
+    for (std::size_t k = 0; k < max_samples; ++k) {
+      Masks masks{hn::Zero(i), hn::Zero(i)};
+      if ((state.binding->sample_mask >> k & 1) != 0) masks = cover(p, box, sample_place(k), small, counter_clockwise);
+      keep(masks, out.sample[k]);
+      all = {hn::Or(all.low, masks.low), hn::Or(all.high, masks.high)};
+    }
+  } else {
+    all = cover(p, box, {0, 0}, small, counter_clockwise);
+  }
+  keep(all, out.pixels);
+  out.alive &= ~(out.small & lanes_of(hn::Eq(hn::Or(all.low, all.high), hn::Zero(i))));
 }
 
 HWY_INLINE void keep_own_vertices(const SetupState& state, const ProcessedVertices& vertices, const AssembledTriangle& triangle,
@@ -223,7 +252,7 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
     const auto lane = static_cast<std::size_t>(__builtin_ctzll(left));
     const auto has = [lane](std::uint64_t lanes) { return (lanes >> lane & 1) != 0; };
     auto& waiting = *new (out + selected++ * bytes) WaitingTriangle;
-    waiting.mask = has(selection.small) ? selection.low[lane] | static_cast<std::uint64_t>(selection.high[lane]) << 32 : 0;
+    waiting.mask = has(selection.small) ? selection.pixels.of(lane) : 0;
     waiting.x0 = static_cast<std::int16_t>(selection.x0[lane]);
     waiting.y0 = static_cast<std::int16_t>(selection.y0[lane]);
     waiting.x1 = static_cast<std::int16_t>(selection.x1[lane]);
@@ -235,6 +264,10 @@ HWY_INLINE std::size_t select_group(const SetupState& state, const ProcessedVert
       keep_own_vertices(state, vertices, triangles[lane], waiting);
     } else {
       for (std::size_t i = 0; i < 3; ++i) waiting.vertex[i] = static_cast<std::uint16_t>(triangles[lane].vertex[i] - shared.first);
+    }
+    if (state.binding->samples_apart && waiting.small()) {
+      auto* const masks = reinterpret_cast<std::uint64_t*>(reinterpret_cast<std::byte*>(&waiting) + bytes) - max_samples;
+      for (std::size_t k = 0; k < max_samples; ++k) masks[k] = selection.sample[k].of(lane);
     }
   }
   return selected;

@@ -30,7 +30,7 @@ HWY_INLINE void set_up_edges(const V (&x)[3], const V (&y)[3], const TriangleGro
   const V zero = hn::Zero(d), one = set(1);
   const V area = hn::Sub(hn::Mul(hn::Sub(x[1], x[0]), hn::Sub(y[2], y[0])), hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[1], y[0])));
   const V sign = hn::IfThenElse(hn::Gt(area, zero), one, set(-1));
-  const bool fine = group.state->binding->sample_mask != 0;
+  const bool fine = group.state->binding->samples_apart;
   for (std::size_t from = 0; from < 3; ++from) {
     const std::size_t to = (from + 1) % 3;
     const V a = hn::Mul(sign, hn::Sub(y[from], y[to])), b = hn::Mul(sign, hn::Sub(x[to], x[from]));
@@ -93,7 +93,7 @@ HWY_INLINE void set_up_depths_of_lanes(TriangleGroup& group, std::size_t first) 
 }
 
 /// Whether fragments are of samples apart from the pixel's centre.
-HWY_INLINE bool covers_samples(const SetupState& state) { return state.binding->sample_mask != 0 && state.binding->samples_apart; }
+HWY_INLINE bool covers_samples(const SetupState& state) { return state.binding->samples_apart; }
 
 /// The range in which fragments' 1/w is kept, relative to the largest vertex's. Where samples are apart the pixel's centre may
 /// lie outside: there the plane goes on, so that the values are truly those of the centre, as long as it is above zero.

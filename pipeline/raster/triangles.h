@@ -30,7 +30,7 @@ inline const float* varyings_of(const KeptVertex& vertex) { return reinterpret_c
 ///
 /// Where the triangles of a batch share vertices (strips, fans, elements) the batch keeps them once, and a waiting
 /// triangle is 32 bytes. Separate triangles each carry their own three behind the struct: gathered from far apart they
-/// would cost more than the copy.
+/// would cost more than the copy. Where samples are apart, SampleMasks come last.
 struct alignas(32) WaitingTriangle {
   const std::byte* shared;             ///< the KeptVertices of its batch; null: its own stand behind the struct
   std::uint64_t mask;                  ///< of a small one, its pixels: (x0 + column, y0 + row) is bit 8 * row + column
@@ -44,16 +44,31 @@ struct alignas(32) WaitingTriangle {
 };
 static_assert(sizeof(WaitingTriangle) == 32);
 
+/// The mask of a small triangle, for each sample.
+using SampleMasks = std::array<std::uint64_t, max_samples>;
+
 /// Bytes of a waiting triangle with what stands behind it.
 inline std::size_t waiting_size(const SetupState& state, bool shares) {
-  return sizeof(WaitingTriangle) + (shares ? 0 : 3 * kept_vertex_size(state));
+  return sizeof(WaitingTriangle) + (shares ? 0 : 3 * kept_vertex_size(state)) + (state.binding->samples_apart ? sizeof(SampleMasks) : 0);
 }
-inline constexpr std::size_t largest_waiting = sizeof(WaitingTriangle) + 3 * (sizeof(KeptVertex) + (max_varyings * sizeof(float) + 31) / 32 * 32);
+inline constexpr std::size_t largest_waiting =
+    sizeof(WaitingTriangle) + 3 * (sizeof(KeptVertex) + (max_varyings * sizeof(float) + 31) / 32 * 32) + sizeof(SampleMasks);
 
 /// Vertex i of a triangle; `bytes` is kept_vertex_size.
 inline const KeptVertex& vertex_of(const WaitingTriangle& triangle, std::size_t i, std::size_t bytes) {
   const std::byte* const first = triangle.shared != nullptr ? triangle.shared : reinterpret_cast<const std::byte*>(&triangle + 1);
   return *reinterpret_cast<const KeptVertex*>(first + triangle.vertex[i] * bytes);
+}
+
+/// Of a small triangle that goes into all samples.
+inline SampleMasks masks_of(const WaitingTriangle& triangle, const RasterBinding& binding, std::size_t vertex_bytes) {
+  SampleMasks masks;
+  if (binding.samples_apart) {
+    std::memcpy(&masks, reinterpret_cast<const std::byte*>(&triangle + 1) + (triangle.shared != nullptr ? 0 : 3 * vertex_bytes), sizeof masks);
+  } else {
+    for (std::size_t k = 0; k < max_samples; ++k) masks[k] = (binding.sample_mask >> k & 1) != 0 ? triangle.mask : 0;
+  }
+  return masks;
 }
 
 /// Whether all triangles of a side take the same from a vertex.
