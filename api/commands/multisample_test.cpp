@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <random>
 #include <vector>
 
 #include <GL/gl.h>
@@ -481,6 +482,61 @@ TEST(Multisample, PointsBelowTheThresholdFade) {
   EXPECT_EQ(pixel_at(16, 16)[0], 255);
   EXPECT_EQ(pixel_at(16, 16)[3], 64);
   EXPECT_EQ(pixel_at(19, 16)[0], 255) << "drawn with the threshold's size";
+}
+
+/// Triangles of a few pixels and of many, of whose fragments the alpha test leaves half. Returns colours and depths.
+std::vector<std::uint32_t> half_opaque_triangles(GLenum func, bool writes_depth, bool counts_in_stencil, bool in_samples) {
+  glClearColor(0, 0, 0, 0);
+  glClearDepth(0.5);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(func);
+  glDepthMask(writes_depth ? GL_TRUE : GL_FALSE);
+  glEnable(GL_ALPHA_TEST);
+  glAlphaFunc(GL_GREATER, 0.5f);
+  if (counts_in_stencil) {
+    glEnable(GL_STENCIL_TEST);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+  }
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> place(-1, 1), unit(0, 1);
+  std::uniform_int_distribution<int> depth(0, 4);
+  glBegin(GL_TRIANGLES);
+  for (int i = 0; i < 400; ++i) {
+    const float x = place(random), y = place(random), size = i % 3 == 0 ? 0.8f : 0.2f, z = static_cast<float>(depth(random)) * 0.25f - 0.5f;
+    for (int k = 0; k < 3; ++k) {
+      glColor4f(unit(random), unit(random), unit(random), unit(random));
+      const float dx = place(random), dy = place(random);
+      glVertex3f(x + size * dx, y + size * dy, z);
+    }
+  }
+  glEnd();
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_ALPHA_TEST);
+  glDisable(GL_DEPTH_TEST);
+  glDepthMask(GL_TRUE);
+  if (in_samples) resolve();
+  std::vector<std::uint32_t> result(2 * side_px * side_px);
+  glReadPixels(0, 0, side_px, side_px, GL_RGBA, GL_UNSIGNED_BYTE, result.data());
+  glReadPixels(0, 0, side_px, side_px, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, result.data() + side_px * side_px);
+  return result;
+}
+
+// Hidden fragments go before they are shaded for the alpha test, but not where a stencil buffer learns of them.
+TEST(Multisample, HiddenFragmentsAreRejectedEarlyWithoutAnyDifference) {
+  const Screen screen;
+  for (const int samples : {0, 1, 4}) {
+    for (const GLenum func : {GL_LESS, GL_LEQUAL, GL_GREATER, GL_GEQUAL, GL_EQUAL, GL_NOTEQUAL, GL_ALWAYS}) {
+      for (const bool writes : {true, false}) {
+        const auto draw = [&](bool counts_in_stencil) {
+          if (samples > 0) multisampled();
+          samples > 1 ? glEnable(GL_MULTISAMPLE) : glDisable(GL_MULTISAMPLE);
+          return half_opaque_triangles(func, writes, counts_in_stencil, samples > 0);
+        };
+        EXPECT_TRUE(draw(false) == draw(true)) << samples << " " << func << " " << writes;
+      }
+    }
+  }
 }
 
 TEST(ClipControl, DepthFromZeroToOne) {

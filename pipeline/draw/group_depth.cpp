@@ -73,7 +73,7 @@ class ListedBlocks {
 
 template <class Format, class Func>
 std::size_t test_blocks(const TriangleGroup& group, SeenBlock* blocks, std::size_t count, const TileTarget& target) {
-  const bool write = group.state->binding->state.depth.write_enabled;
+  const bool write = writes_early(*group.state->binding);
   std::size_t seen = 0;
   for (std::size_t first = 0; first < count; first += word_blocks) {
     const std::size_t some = std::min(word_blocks, count - first);

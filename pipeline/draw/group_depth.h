@@ -8,7 +8,8 @@
 namespace gouraud::pipeline {
 
 /// For this depth test on a buffer of this format, for the instruction set in use; null where there is none: floating-point
-/// depths and 32 bits, and sets without vectors. The early passes of the plan must be this test and no other.
+/// depths and 32 bits, and sets without vectors. The early passes of the plan must be this test, or the one that rejects
+/// hidden fragments by it, and no other.
 GroupDepthTest group_depth_test(CompareFunc func, DepthFormat format);
 
 }  // namespace gouraud::pipeline

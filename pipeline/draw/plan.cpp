@@ -137,6 +137,16 @@ bool fogs_at_write(const DrawState& state, TargetFormat target, const Plan& plan
   return plan.fog && !others && target.color == ColorFormat::rgba8 && state.raster.color_write_mask == 0xF;
 }
 
+bool shades_before_depth(const DrawState& state, const Plan& plan) { return plan.alpha_test || state.raster.alpha_to_coverage != 0; }
+
+/// Whether what the depth test will reject may go before it is shaded: rejecting must be all that comes of it, and nothing that is
+/// drawn meanwhile may let a fragment pass that has failed.
+bool rejects_hidden(const DrawState& state, TargetFormat target, const Plan& plan) {
+  const CompareFunc func = state.raster.depth.func;
+  return shades_before_depth(state, plan) && plan.depth && !plan.stencil && !plan.gathers && !target.methods.warps_depth() &&
+         func != CompareFunc::notequal && func != CompareFunc::always;
+}
+
 /// Fragments get their final colours before the depth test only if the alpha test needs them.
 FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, const Plan& plan) {
   FragmentPasses passes;
@@ -157,21 +167,27 @@ FragmentPasses fragment_passes(const DrawState& state, TargetFormat target, cons
     if (plan.sample_alpha) passes.add(sample_alpha_pass(target.color));
   };
   if (plan.polygon_stipple) passes.add(polygon_stipple_pass());
-  passes.early = passes.count;
-  const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
-  if (shades_first) shade();
-  if (plan.alpha_test) passes.add(alpha_test_pass(target.color));
   const auto depth_pass = target.methods.warps_depth() ? depth_method_pass : depth_test_pass;
   const FragmentPass depth_test = plan.depth && !plan.gathers ? depth_pass(state.raster.depth.func, target.depth) : nullptr;
+  passes.rejects_early = rejects_hidden(state, target, plan);
+  if (passes.rejects_early) {
+    passes.add(hidden_fragments_pass());
+    passes.inner_depth = depth_test;
+  }
+  passes.early = passes.count;
+  const bool shades_first = shades_before_depth(state, plan);
+  if (shades_first) shade();
+  if (plan.alpha_test) passes.add(alpha_test_pass(target.color));
+  if (plan.alpha_test && !plan.sample_alpha) passes.shaded = passes.count;
   if (plan.stencil) {
     passes.add(stencil_pass(target.depth));
-    passes.depth_in_stencil = depth_test;
+    passes.inner_depth = depth_test;
   } else if (depth_test != nullptr) {
     passes.add(depth_test);
   }
   if (plan.counts_samples) passes.add(sample_count_pass());
   if (!shades_first) passes.early = passes.shaded = passes.count;
-  const bool tests_depth_only = depth_test != nullptr && passes.early == 1 && passes.pass[0] == depth_test;
+  const bool tests_depth_only = depth_test != nullptr && passes.early == 1 && (passes.pass[0] == depth_test || passes.rejects_early);
   if (tests_depth_only && !target.methods.warps_depth()) {
     passes.group_depth = group_depth_test(state.raster.depth.func, target.depth);
     if (!state.polygons.offset_fill) passes.small_triangles = small_triangle_tests(state.raster.depth.func, target.depth);
@@ -372,7 +388,8 @@ std::string describe(const Plan& plan, const DrawState& state, TargetFormat targ
     if (covers) line(state.multisample.enabled ? "point fade" : "coverage", "", state.multisample.enabled ? "§3.12" : "§3.11");
     if (plan.sample_alpha) line("alpha to samples", "", "§4.1.3");
   };
-  const bool shades_first = plan.alpha_test || state.raster.alpha_to_coverage != 0;
+  const bool shades_first = shades_before_depth(state, plan);
+  if (plan.fragment.rejects_early) line("reject hidden fragments", "", "§4.1.6");
   if (shades_first) describe_shading();
   if (plan.alpha_test) line("alpha test", compare_names[static_cast<std::size_t>(state.raster.alpha_test.func)], "§4.1.4");
   if (plan.stencil) line("stencil test", describe_stencil(state.raster.stencil), "§4.1.5");

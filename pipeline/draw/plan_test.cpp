@@ -104,9 +104,12 @@ TEST(Plan, RunsThePassesThatNeedNoColorsEarly) {
   state.raster.polygon_stipple.enabled = true;
   state.raster.counts_samples = true;
   EXPECT_EQ(make_plan(state, window).fragment.early, 3);
-  // The alpha test comes before the depth test [GL1.5 §4.1.4] and needs colours.
+  // The alpha test comes before the depth test [GL1.5 §4.1.4] and needs colours: what is hidden goes before.
   state.raster.alpha_test = {true, CompareFunc::greater, 0.5f};
+  EXPECT_EQ(make_plan(state, window).fragment.early, 2);
+  state.raster.depth.func = CompareFunc::notequal;
   EXPECT_EQ(make_plan(state, window).fragment.early, 1);
+  state.raster.depth.func = CompareFunc::less;
   state.raster.color_write_mask = 0;
   state.raster.alpha_test.enabled = false;
   const FragmentPasses passes = make_plan(state, window).fragment;
@@ -258,7 +261,7 @@ TEST(Plan, RunsTheDepthTestInsideTheStencilTest) {
   EXPECT_EQ(stages(state), (Stages{"transform to clip space", "clip and project", "rasterize", "stencil test", "depth test"}));
   const Plan plan = make_plan(state, window);
   EXPECT_EQ(plan.fragment.count, 1);
-  EXPECT_NE(plan.fragment.depth_in_stencil, nullptr);
+  EXPECT_NE(plan.fragment.inner_depth, nullptr);
   EXPECT_NE(describe(plan, state, window).find("equal (keep, increment, keep)"), std::string::npos);
 }
 

@@ -209,6 +209,16 @@ HWY_INLINE void for_each_block(const TriangleGroup& group, const SmallGroup& sma
   }
 }
 
+/// Those of the triangles that are seen. Depth is needed again where the test has only rejected.
+HWY_INLINE void begin_records(const TriangleGroup& group, const SmallGroup& small, std::uint32_t triangles) {
+  const bool again = group.state->binding->passes.rejects_early;
+  for (; triangles != 0; triangles &= triangles - 1) {
+    const auto i = static_cast<std::size_t>(__builtin_ctz(triangles));
+    PrimitiveRecord& record = begin_record(group, i);
+    if (again) record.depth = {small.origin[i], small.exact_dx[i], small.exact_dy[i], small.least[i], small.most[i], (small.steep >> i & 1) != 0};
+  }
+}
+
 /// Lists what passed, in order, and begins the records of the triangles that are seen.
 template <class Format, class Func>
 std::size_t test_group(TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, const TileTarget& target, SeenBlock* seen) {
@@ -218,7 +228,7 @@ std::size_t test_group(TriangleGroup& group, std::int32_t tile_x, std::int32_t t
   prepare_small_group(group, small);
   place_small_group(group, mask, tile_x, tile_y, {}, small);
   alignas(64) PassedBlocks passed{};
-  test_small_group<Format, Func>(small, group.state->binding->state.depth.write_enabled, tile_x, tile_y, target, passed);
+  test_small_group<Format, Func>(small, writes_early(*group.state->binding), tile_x, tile_y, target, passed);
 
   std::size_t count = 0;
   std::uint32_t triangles = 0;
@@ -229,7 +239,7 @@ std::size_t test_group(TriangleGroup& group, std::int32_t tile_x, std::int32_t t
     count += some;
     triangles |= some << i;
   });
-  for (; triangles != 0; triangles &= triangles - 1) begin_record(group, static_cast<std::size_t>(__builtin_ctz(triangles)));
+  begin_records(group, small, triangles);
   return count;
 }
 
@@ -248,7 +258,7 @@ std::size_t test_samples(TriangleGroup& group, std::int32_t tile_x, std::int32_t
   for (std::size_t k = 0; k < max_samples; ++k) {
     if ((binding.sample_mask >> k & 1) == 0) continue;
     place_small_group(group, mask[k], tile_x, tile_y, {targets[k].sample_x, targets[k].sample_y}, small);
-    test_small_group<Format, Func>(small, binding.state.depth.write_enabled, tile_x, tile_y, targets[k], passed[k]);
+    test_small_group<Format, Func>(small, writes_early(binding), tile_x, tile_y, targets[k], passed[k]);
   }
 
   std::size_t count = 0;
@@ -263,7 +273,7 @@ std::size_t test_samples(TriangleGroup& group, std::int32_t tile_x, std::int32_t
     count += some != 0 ? 1 : 0;
     triangles |= (some != 0 ? 1u : 0u) << i;
   });
-  for (; triangles != 0; triangles &= triangles - 1) begin_record(group, static_cast<std::size_t>(__builtin_ctz(triangles)));
+  begin_records(group, small, triangles);
   return count;
 }
 

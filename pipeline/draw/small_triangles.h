@@ -8,8 +8,8 @@
 namespace gouraud::pipeline {
 
 /// For this depth test on a buffer of this format, for the instruction set in use; null where the road is closed: floating-
-/// point depths, and sets without vectors. The early passes of the plan must be this test and no other, and no polygon
-/// offset may apply.
+/// point depths, and sets without vectors. The early passes of the plan must be this test, or the one that rejects hidden
+/// fragments by it, and no other, and no polygon offset may apply.
 SmallTriangleTests small_triangle_tests(CompareFunc func, DepthFormat format);
 
 }  // namespace gouraud::pipeline

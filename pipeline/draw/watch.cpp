@@ -166,6 +166,7 @@ std::string_view name_of(FragmentPass pass, const DrawState& state, const Plan& 
       {coverage_pass(), "coverage"},
       {sample_alpha_pass(target.color), "alpha to samples"},
       {alpha_test_pass(target.color), "alpha test"},
+      {hidden_fragments_pass(), "depth test before shading"},
       {depth_test_pass(state.raster.depth.func, target.depth), "depth test"},
       {stencil_pass(target.depth), plan.depth ? "stencil and depth test" : "stencil test"},
       {sample_count_pass(), "count samples"},

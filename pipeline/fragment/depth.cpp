@@ -93,7 +93,7 @@ template <class Format, class Func, class Depth, bool whole_block>
 HWY_INLINE std::uint64_t test_lanes(const FragmentBlock& block, const TileTarget& target) {
   const typename Format::Tag d;
   const Depth depth(block.primitive->depth, block, target);
-  const bool write = block.primitive->binding->state.depth.write_enabled;
+  const bool write = block.primitive->binding->state.depth.write_enabled && !target.keeps_depth;
   auto* words = reinterpret_cast<typename Format::Word*>(target.depth) + block.first_pixel;
   const PairRange pairs = whole_block ? PairRange{0, row_pairs} : covered_pairs(block.coverage);
   std::uint64_t passed_all = 0;
@@ -166,5 +166,13 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace gouraud::pipeline {
 FragmentPass depth_test_pass(CompareFunc func, DepthFormat format) { return GOURAUD_SIMD_PICK(select)(func, format); }
+
+FragmentPass hidden_fragments_pass() {
+  return [](FragmentBlock& block, const TileTarget& target) {
+    TileTarget kept = target;
+    kept.keeps_depth = true;
+    block.primitive->binding->passes.inner_depth(block, kept);
+  };
+}
 }  // namespace gouraud::pipeline
 #endif

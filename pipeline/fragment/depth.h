@@ -13,4 +13,8 @@ namespace gouraud::pipeline {
 /// Fixed-point depth is compared as integers: round to nearest, ties to even, of z * (2^bits - 1) (MESA-RULES 4.3).
 FragmentPass depth_test_pass(CompareFunc func, DepthFormat format);
 
+/// Rejects what the depth test (FragmentPasses::inner_depth) will reject, and writes nothing: before fragments are shaded for
+/// an alpha test, which comes before the depth test.
+FragmentPass hidden_fragments_pass();
+
 }  // namespace gouraud::pipeline

@@ -39,6 +39,9 @@ HWY_INLINE void exact_pair(const DepthPlane& plane, double x, double y, std::int
   }
 }
 
+/// Whether a depth test that is all of the early passes writes depth, or rejects hidden fragments and no more.
+HWY_INLINE bool writes_early(const RasterBinding& binding) { return binding.state.depth.write_enabled && !binding.passes.rejects_early; }
+
 /// Tests the row pairs of `bits`, in order, and writes the depths of what passes. Of block n, `blocks` tells
 ///   depth(n), first_pixel(n), coverage(n); steep(n): exact(n, pair, out) gives the depths of a row pair in place of depth(n).
 /// `passed` has a word of 16 bits for each row pair, in the order of the bits.

@@ -137,7 +137,7 @@ void stencil(FragmentBlock& block, const TileTarget& target) {
   update<Format>(face.fail, face, words, met & ~passed);
   block.coverage = passed;
   if (passed == 0) return;
-  if (binding.passes.depth_in_stencil != nullptr) binding.passes.depth_in_stencil(block, target);
+  if (binding.passes.inner_depth != nullptr) binding.passes.inner_depth(block, target);
   update<Format>(face.depth_fail, face, words, passed & ~block.coverage);
   update<Format>(face.depth_pass, face, words, block.coverage);
 }

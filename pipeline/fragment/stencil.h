@@ -8,7 +8,7 @@
 namespace gouraud::pipeline {
 
 /// The pass that runs the stencil test of the primitive's binding, then the binding's depth test (FragmentPasses::
-/// depth_in_stencil, if there is one), and updates the stencil buffer by the outcome of both. For the instruction set in
+/// inner_depth, if there is one), and updates the stencil buffer by the outcome of both. For the instruction set in
 /// use. Stencil values lie in the words of a z24s8 depth buffer, else in TileTarget::stencil.
 FragmentPass stencil_pass(DepthFormat format);
 

@@ -59,7 +59,7 @@ void depth_test(FragmentBlock& block, const TileTarget&) { block.coverage &= dep
 void check(Random& random, DepthFormat format, bool with_depth) {
   RasterBinding binding;
   binding.state.stencil = {true, random.face(), random.face()};
-  if (with_depth) binding.passes.depth_in_stencil = depth_test;
+  if (with_depth) binding.passes.inner_depth = depth_test;
   PrimitiveRecord primitive;
   primitive.binding = &binding;
   primitive.back = random.below(2) == 0;

@@ -22,6 +22,7 @@ struct TileTarget {
   std::byte* stencil = nullptr;  ///< only where the depth format does not hold it
   std::int32_t sample = 0;       ///< of a multisampled target: whose pixels these are
   float sample_x = 0.0f, sample_y = 0.0f;  ///< where depth is taken, in pixels from the pixel's centre
+  bool keeps_depth = false;      ///< the depth test writes nothing
 };
 
 /// A block's pixels as packed bytes R, G, B, A.
@@ -74,8 +75,10 @@ struct FragmentPasses {
   std::int32_t early = 0;
   /// Passes [early, shaded) are about a fragment and not about its samples: they run once for all of them.
   std::int32_t shaded = 0;
-  /// The depth test that the stencil pass runs, where there is one of both.
-  FragmentPass depth_in_stencil = nullptr;
+  /// The depth test that another pass runs: the stencil pass, or the one that rejects hidden fragments.
+  FragmentPass inner_depth = nullptr;
+  /// The last early pass rejects hidden fragments (fragment/depth.h): it tests depth and writes none.
+  bool rejects_early = false;
   /// Where the early passes are a depth test and nothing else; null: small triangles go the way of all.
   SmallTriangleTests small_triangles{};
   /// The same for other triangles; null: block by block.
