@@ -23,6 +23,7 @@ STAGE_DATA = {
     "pipeline/draw/method_state.h",
     "pipeline/draw/sample_counter.h",
     "pipeline/draw/limits.h",
+    "pipeline/draw/byte_count.h",
     "pipeline/draw/texture_state.h",
     "pipeline/raster/varyings.h",
     "pipeline/geometry/vertex_batch.h",

@@ -8,10 +8,10 @@
 namespace gouraud::api {
 
 std::byte* DisplayList::append(ListTag tag, std::size_t bytes) {
-  if (bytes > max_payload_bytes) throw std::bad_alloc();
+  const std::size_t offset = bytes_.size();
+  if (bytes > max_payload_bytes || std::uint64_t{bytes} + offset + 16 > bytes_.max_size()) throw std::bad_alloc();
   const std::size_t payload = (bytes + 7) / 8 * 8;
   const ListEntry entry{tag, static_cast<std::uint32_t>(payload)};
-  const std::size_t offset = bytes_.size();
   bytes_.resize(offset + sizeof(entry) + payload);
   std::memcpy(&bytes_[offset], &entry, sizeof(entry));
   return bytes_.data() + offset + sizeof(entry);

@@ -57,7 +57,8 @@ Driver oracle_driver(const Paths& paths);
 using Renderings = std::map<std::string, Rendering, std::less<>>;
 
 /// Draws the scenes through one process of the driver. A scene that brings the process down, or takes longer than two
-/// minutes, fails; the scenes after it go to a new process. A driver that cannot start fails them all.
+/// minutes (half an hour under an emulator), fails; the scenes after it go to a new process. A driver that cannot start
+/// fails them all.
 Renderings render_all(const Driver& driver, const std::vector<std::string>& scene_names);
 
 }  // namespace gouraud::conformance

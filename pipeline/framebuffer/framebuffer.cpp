@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #endif
 
+#include "pipeline/draw/byte_count.h"
 #include "pipeline/framebuffer/clear.h"
 
 namespace gouraud::pipeline {
@@ -39,9 +40,9 @@ TiledBuffer::Storage::~Storage() { std::free(block); }
 
 TiledBuffer::TiledBuffer(int width, int height, int bytes, int planes)
     : width_px_(width), height_px_(height), tiles_per_row_(tiles_across(width)), bytes_per_pixel_(bytes) {
-  const std::size_t tiles = tiles_per_plane() * static_cast<std::size_t>(planes);
-  const std::size_t size = tiles * pixels_per_tile * static_cast<std::size_t>(bytes);
+  const std::size_t size = byte_count({tiles_per_row_, tiles_across(height), planes, pixels_per_tile, bytes});
   if (size == 0) return;
+  const std::size_t tiles = tiles_per_plane() * static_cast<std::size_t>(planes);
   storage_ = std::make_shared<Storage>(tiles, size);
   pixels_ = storage_->pixels;
   waiting_clears_ = storage_->waiting_clears.get();

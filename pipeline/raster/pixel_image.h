@@ -9,6 +9,7 @@
 
 #include <glm/glm.hpp>
 
+#include "pipeline/draw/byte_count.h"
 #include "pipeline/draw/draw_state.h"
 #include "pipeline/draw/limits.h"
 
@@ -31,7 +32,7 @@ struct PixelImage {
         width_px(width),
         height_px(height),
         row_bytes(static_cast<std::ptrdiff_t>(width) * static_cast<std::ptrdiff_t>(bytes_per_pixel(image_format))),
-        own(std::make_unique_for_overwrite<std::byte[]>(static_cast<std::size_t>(row_bytes) * static_cast<std::size_t>(height))),
+        own(std::make_unique_for_overwrite<std::byte[]>(byte_count({row_bytes, height}))),
         first_row(own.get()) {}
   /// Pixels of somebody else, valid as long as the call lasts that they are given to; need not be aligned.
   PixelImage(PixelImageFormat image_format, std::int32_t width, std::int32_t height, const std::byte* pixels, std::ptrdiff_t stride)

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "pipeline/draw/byte_count.h"
 #include "pipeline/texture/completeness.h"
 #include "pipeline/texture/halved_rows.h"
 #include "pipeline/texture/halved_srgb_rows.h"
@@ -93,8 +94,7 @@ bool is_simple(const Image& image) {
 
 std::shared_ptr<std::byte[]> allocate_texels(TexelFormat format, int width, int height, int depth) {
   constexpr std::size_t spare = 16;
-  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
-  const std::size_t bytes = count * static_cast<std::size_t>(bytes_per_texel(format));
+  const std::size_t bytes = byte_count({width, height, depth, bytes_per_texel(format)});
   std::shared_ptr<std::byte[]> texels(new std::byte[bytes + spare]);
   std::memset(texels.get() + bytes, 0, spare);
   return texels;

@@ -9,6 +9,8 @@
 #include <new>
 #include <utility>
 
+#include "pipeline/draw/byte_count.h"
+
 namespace gouraud::pipeline {
 namespace {
 
@@ -195,8 +197,7 @@ void load_depths(const Image& image, const std::byte* texels, std::size_t count,
 }
 
 std::size_t texel_bytes(const Image& image) {
-  return static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
-         static_cast<std::size_t>(image.depth) * static_cast<std::size_t>(bytes_per_texel(image.format));
+  return byte_count({image.width, image.height, image.depth, bytes_per_texel(image.format)});
 }
 
 void make_stencil_plane(Image& image) {
