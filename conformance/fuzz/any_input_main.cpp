@@ -113,7 +113,7 @@ class Caller {
       case 'm': return static_cast<double>(chance(3) ? random_.next() : enumerant(group) | enumerant(group));
       case 'b': return static_cast<double>(chance(10) ? random_.below(256) : random_.below(2));
       case 'f':
-      case 'd': return real();
+      case 'd': return begins(row.name, "PixelStore") ? integer(row, 'i') : real();
       case 'p': return pointer(row, name);
       default: return integer(row, kind);
     }
