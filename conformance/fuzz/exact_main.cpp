@@ -1,7 +1,7 @@
 // fuzz_exact SEED COUNT [FEATURES]
 //
-// Draws the random pictures of the seeds from SEED on with ours, watched by the oracle, and prints each that is not what the
-// oracle allows: how many pixels are off, and the fewest features that it needs. FEATURES, a mask in hexadecimal, is taken
+// Draws the random pictures of the seeds from SEED on with ours, watched by the oracle, those of odd seeds with four samples a
+// pixel, and prints each that is not what the oracle allows: how many pixels are off, and the fewest features that it needs. FEATURES, a mask in hexadecimal, is taken
 // instead of those that a seed chooses, and the pixels are listed then. Fails if a picture is off.
 #include <algorithm>
 #include <cstdio>
@@ -28,11 +28,33 @@ struct Exact {
   oracle::OraclePicture oracle;
 };
 
+/// Draws into a framebuffer of four samples a pixel, and resolves that.
+void draw_sampled(const GlTable& gl, std::uint32_t seed, std::uint64_t features) {
+  GLuint framebuffer = 0;
+  gl.GenFramebuffers(1, &framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  const auto attach = [&gl](GLenum attachment, GLenum format) {
+    GLuint name = 0;
+    gl.GenRenderbuffers(1, &name);
+    gl.BindRenderbuffer(GL_RENDERBUFFER, name);
+    gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, 4, format, picture_side_px, picture_side_px);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, name);
+  };
+  attach(GL_COLOR_ATTACHMENT0, GL_RGBA8);
+  attach(GL_DEPTH_STENCIL_ATTACHMENT, GL_DEPTH24_STENCIL8);
+  draw_picture(gl, seed, features);
+  gl.Disable(GL_SCISSOR_TEST);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+  gl.BlitFramebuffer(0, 0, picture_side_px, picture_side_px, 0, 0, picture_side_px, picture_side_px, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+}
+
 Exact draw(std::uint32_t seed, std::uint64_t features) {
   OffscreenContext context(linked_osmesa, picture_side_px, picture_side_px, 24);
   oracle::Oracle oracle;
   if (!set_draw_observer(&oracle)) throw std::runtime_error("set_draw_observer found no context");
-  draw_picture(context.gl(), seed, features);
+  const bool sampled = seed % 2 != 0;
+  sampled ? draw_sampled(context.gl(), seed, features) : draw_picture(context.gl(), seed, features);
   Exact result{context.read(), oracle.picture()};
   set_draw_observer(nullptr);
   return result;

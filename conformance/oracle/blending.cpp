@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gouraud::oracle {
 namespace {
@@ -142,20 +143,42 @@ bool are_known(const Ranges& ranges) {
   return std::ranges::all_of(ranges, [](const Range& range) { return range.lowest == range.highest; });
 }
 
-/// Blending is monotonous in each of its numbers, so that the ends of their ranges give those of the result. Logical
-/// operations are not: of unknown numbers they may give all.
+/// The numbers in a range where results can be extreme: its ends, and the middle, where x (1 - x) is largest.
+std::vector<int> extremes_of(const Range& range) {
+  std::vector<int> out{range.lowest};
+  for (const int middle : {127, 128}) {
+    if (middle > range.lowest && middle < range.highest) out.push_back(middle);
+  }
+  if (range.highest != range.lowest) out.push_back(range.highest);
+  return out;
+}
+
+/// What channel i can be: blended from all extremes of its source and destination and of their alphas.
+Range results_of(const pipeline::RasterState& state, std::size_t i, const Ranges& source, const Ranges& destination) {
+  Range out{255, 0};
+  for (const int s : extremes_of(source[i])) {
+    for (const int s_alpha : i == 3 ? std::vector{s} : extremes_of(source[3])) {
+      for (const int d : extremes_of(destination[i])) {
+        for (const int d_alpha : i == 3 ? std::vector{d} : extremes_of(destination[3])) {
+          const int result = result_of(state, {s, s, s, s_alpha}, {d, d, d, d_alpha})[i];
+          out = {std::min(out.lowest, result), std::max(out.highest, result)};
+        }
+      }
+    }
+  }
+  return out;
+}
+
+/// Blending is linear in each of its numbers, or of the form x (1 - x), but for the rounding of its two products. Logical
+/// operations are neither: of unknown numbers they may give all.
 Ranges results_of(const pipeline::RasterState& state, const Ranges& source, const Ranges& destination) {
   if (state.logic_op != LogicOp::copy) return {Range{0, 255}, {0, 255}, {0, 255}, {0, 255}};
-  Ranges out{Range{255, 0}, {255, 0}, {255, 0}, {255, 0}};
-  const auto end_of = [](const Range& range, bool high) { return high ? range.highest : range.lowest; };
-  for (unsigned ends = 0; ends < 16; ++ends) {
-    Bytes s, d;
-    for (std::size_t i = 0; i < 4; ++i) {
-      s[i] = end_of(source[i], (ends & (i == 3 ? 1u : 2u)) != 0);
-      d[i] = end_of(destination[i], (ends & (i == 3 ? 4u : 8u)) != 0);
-    }
-    const Bytes result = result_of(state, s, d);
-    for (std::size_t i = 0; i < 4; ++i) out[i] = {std::min(out[i].lowest, result[i]), std::max(out[i].highest, result[i])};
+  const auto is_wide = [](const Range& range) { return range.highest - range.lowest > 1; };
+  const bool wide = std::ranges::any_of(source, is_wide) || std::ranges::any_of(destination, is_wide);
+  Ranges out;
+  for (std::size_t i = 0; i < 4; ++i) {
+    out[i] = results_of(state, i, source, destination);
+    if (wide) out[i] = {std::max(out[i].lowest - 1, 0), std::min(out[i].highest + 1, 255)};
   }
   return out;
 }

@@ -154,6 +154,17 @@ AlphaVerdict both(const AlphaVerdict& a, const AlphaVerdict& b) {
   return {a.passes && b.passes, may && (a.ambiguous || b.ambiguous)};
 }
 
+/// Fog is monotonous in a colour and in its coordinate: the ends of their ranges give those of the result.
+void apply_fog(const pipeline::FogState& fog, Fragment& fragment) {
+  const double coordinate = fragment.fog_coordinate, other = fragment.other_fog_coordinate.value_or(coordinate);
+  const Color lowest = fogged(fog, fragment.color_lowest, other), highest = fogged(fog, fragment.color_highest, other);
+  for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) *color = fogged(fog, *color, coordinate);
+  for (std::size_t i = 0; i < 4; ++i) {
+    fragment.color_lowest[i] = std::min(fragment.color_lowest[i], lowest[i]);
+    fragment.color_highest[i] = std::max(fragment.color_highest[i], highest[i]);
+  }
+}
+
 /// Clears one possible content of a pixel.
 void clear_pixel(OraclePixel& pixel, const pipeline::ClearState& state, double depth_units) {
   for (std::size_t i = 0; state.color && i < 4; ++i) {
@@ -214,10 +225,8 @@ PixelOutcomes with_all_outcomes(const OraclePicture& picture, std::size_t index)
 
 void write_fragment(OraclePicture& picture, const pipeline::RasterState& state, const Fragment& rasterized, std::size_t sample) {
   Fragment fragment = rasterized;
-  for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) {
-    *color = fogged(state.fog, *color, fragment.fog_coordinate);
-    (*color)[3] *= fragment.coverage;
-  }
+  apply_fog(state.fog, fragment);
+  for (Color* color : {&fragment.color, &fragment.color_lowest, &fragment.color_highest}) (*color)[3] *= fragment.coverage;
   const pipeline::PixelRect& box = state.scissor;
   if (fragment.x < box.x0 || fragment.x >= box.x1 || fragment.y < box.y0 || fragment.y >= box.y1) return;
   if (fragment.x < 0 || fragment.x >= picture.width_px || fragment.y < 0 || fragment.y >= picture.height_px) return;

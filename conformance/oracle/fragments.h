@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "conformance/oracle/oracle.h"
 #include "conformance/oracle/vertex.h"
@@ -16,6 +17,8 @@ struct Fragment {
   int x = 0, y = 0;
   Color color{}, color_lowest{}, color_highest{};
   double fog_coordinate = 0;
+  /// Another one that is as legal, and all in between, if `extrapolated`.
+  std::optional<double> other_fog_coordinate;
   double depth = 0;  ///< window z
   /// Window z that a conforming implementation may have computed: at most the slack away, within the vertices' range.
   double depth_lowest = 0, depth_highest = 0;

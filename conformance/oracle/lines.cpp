@@ -164,6 +164,8 @@ void make_sample(const FragmentSink& sink, const std::array<WindowVertex, 2>& en
     include_color(shaded_at(sink, ends, colors, std::clamp(time_at(ends, x + place.x, y + place.y), 0.0, 1.0)), fragment);
   }
   fragment.fog_coordinate = fog_coordinate_at(ends, std::clamp(center, 0.0, 1.0));
+  fragment.other_fog_coordinate = fog_coordinate_at(ends, std::clamp(t, 0.0, 1.0));
+  fragment.extrapolated |= sink.state.fog.mode != pipeline::FogMode::none;
   set_depth(sink, ends, t, fragment);
   sink.give(fragment, k);
 }

@@ -247,9 +247,19 @@ Fragment shaded_once(const FragmentSink& sink, const std::array<WindowVertex, 3>
   if (inside) return fragment;
 
   fragment.extrapolated = true;
+  fragment.other_fog_coordinate = values.fog_coordinate(center);
   const auto include = [&](const Vector3& weight, bool in_range) { include_color(values.shaded(weight, in_range), fragment); };
   include(center, true);
-  for (const Place& corner : shared) include(moved_inside(values.barycentric(corner.x, corner.y)), false);
+  const auto include_at = [&](double at_x, double at_y) { include(moved_inside(values.barycentric(at_x, at_y)), false); };
+  for (const Place& corner : shared) include_at(corner.x, corner.y);
+  // Textures have colours in between that the corners do not have.
+  for (std::size_t i = 0; i < shared.size() && values.is_textured(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      for (const double share : {0.25, 0.5, 0.75}) {
+        include_at(shared[i].x + share * (shared[j].x - shared[i].x), shared[i].y + share * (shared[j].y - shared[i].y));
+      }
+    }
+  }
   if (shared.empty() || !values.has_area()) {
     for (const Vector3& corner : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) include(corner, false);
   }
