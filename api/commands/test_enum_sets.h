@@ -386,7 +386,7 @@ inline const std::vector<ValueSet> value_sets = [] {
       {tex_parameter,
        {GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER},
        sets::joined(magnifying, sets::range(GL_NEAREST_MIPMAP_NEAREST, GL_LINEAR_MIPMAP_LINEAR))},
-      {tex_parameter, {GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE}, {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA}},
+      {tex_parameter, {GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE}, {GL_LUMINANCE, GL_INTENSITY, GL_ALPHA, GL_RED}},
       {tex_parameter, {GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE}, {GL_NONE, GL_COMPARE_R_TO_TEXTURE}},
       {tex_parameter, {GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC}, functions},
       {tex_env,

@@ -1,5 +1,5 @@
 // Takes parameters, gives those of texture objects [GL1.5 §3.8.4], with EXT_texture_filter_anisotropic,
-// EXT_texture_lod_bias and ARB_texture_rectangle.
+// EXT_texture_lod_bias, ARB_texture_rectangle and ARB_texture_rg (depths as red).
 #include "api/commands/texture_parameters.h"
 
 #include <algorithm>
@@ -71,7 +71,7 @@ GLenum set_parameter(TextureParameters& p, TextureTarget target, GLenum pname, c
     case GL_TEXTURE_MIN_FILTER: return choose(p.min_filter, is_min_filter(name, target));
     case GL_TEXTURE_MAG_FILTER: return choose(p.mag_filter, name == GL_NEAREST || name == GL_LINEAR);
     case GL_DEPTH_TEXTURE_MODE:
-      return choose(p.depth_mode, name == GL_LUMINANCE || name == GL_INTENSITY || name == GL_ALPHA);
+      return choose(p.depth_mode, name == GL_LUMINANCE || name == GL_INTENSITY || name == GL_ALPHA || name == GL_RED);
     case GL_TEXTURE_COMPARE_MODE: return choose(p.compare_mode, name == GL_NONE || name == GL_COMPARE_R_TO_TEXTURE);
     case GL_TEXTURE_COMPARE_FUNC: return choose(p.compare_func, name - GL_NEVER <= GL_ALWAYS - GL_NEVER);
     case GL_TEXTURE_BORDER_COLOR:

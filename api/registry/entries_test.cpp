@@ -355,8 +355,9 @@ TEST(Records, VertexValueConvertsLikeTheCommand) {
 }
 
 TEST(Records, TableOfClientMemoryIsSortedAndInRange) {
-  // GL 1.5's, BlitFramebuffer, ClipControl, BlendEquationSeparateEXT, and three of stencil tests of both faces.
-  EXPECT_EQ(records::opcode_count, 373u + 6);
+  // GL 1.5's, BlitFramebuffer, ClipControl, BlendEquationSeparateEXT, PolygonOffsetEXT, and three of stencil tests of both
+  // faces.
+  EXPECT_EQ(records::opcode_count, 373u + 7);
   for (std::size_t i = 0; i < records::client_memory_count; ++i) {
     const records::ClientMemory& row = records::client_memory[i];
     const std::size_t bytes = records::record_infos[static_cast<std::size_t>(row.opcode)].bytes;

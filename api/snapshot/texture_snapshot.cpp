@@ -53,7 +53,7 @@ constexpr MipFilter mip_filter(GLenum filter) {
 
 constexpr pipeline::DepthTextureMode depth_mode(GLenum mode) {
   using enum pipeline::DepthTextureMode;
-  return mode == GL_INTENSITY ? intensity : mode == GL_ALPHA ? alpha : luminance;
+  return mode == GL_INTENSITY ? intensity : mode == GL_ALPHA ? alpha : mode == GL_RED ? red : luminance;
 }
 
 /// True if sampling can take border texels: CLAMP does at the edge, when it filters linearly [GL1.5 §3.8.7].
@@ -226,6 +226,7 @@ BaseFormat effective_format(const pipeline::Image& image, const SamplerState& sa
   using enum pipeline::DepthTextureMode;
   return sampler.depth_mode == intensity ? BaseFormat::intensity
          : sampler.depth_mode == alpha   ? BaseFormat::alpha
+         : sampler.depth_mode == red     ? BaseFormat::rgb
                                          : BaseFormat::luminance;
 }
 

@@ -238,7 +238,7 @@ class Level {
     const glm::vec4& b = unit_.sampler.border_color;
     const BaseFormat format = seen_format(unit_);
     if (!unit_.sampler.compares) {
-      if (outside && image.base_format == BaseFormat::depth) return as_seen(format, {b.x, b.x, b.x, b.x}, true);
+      if (outside && image.base_format == BaseFormat::depth) return as_seen(format, {b.x, 0, 0, b.x}, true);
       if (outside) return as_seen(format, {b.x, b.y, b.z, b.w}, true);
       Color texel = as_seen(format, stored(image, at[0], at[1], at[2]), bytes_per_texel(image.format) >= 4 && has_four_channels(image.format));
       for (std::size_t k = 0; image.srgb && k < 3; ++k) texel[k] = linear_light(texel[k]);
@@ -246,7 +246,7 @@ class Level {
     }
     const double depth = outside ? static_cast<double>(b.x) : stored(image, at[0], at[1], at[2])[0];
     const double result = passes(compared, depth) ? 1 : 0;
-    return as_seen(format, {result, result, result, result}, true);
+    return as_seen(format, {result, 0, 0, result}, true);
   }
 
   static bool has_four_channels(TexelFormat format) {
@@ -432,6 +432,7 @@ BaseFormat seen_format(const TextureUnitState& unit) {
   switch (unit.sampler.depth_mode) {
     case pipeline::DepthTextureMode::luminance: return BaseFormat::luminance;
     case pipeline::DepthTextureMode::alpha: return BaseFormat::alpha;
+    case pipeline::DepthTextureMode::red: return BaseFormat::rgb;
     case pipeline::DepthTextureMode::intensity: break;
   }
   return BaseFormat::intensity;

@@ -357,6 +357,34 @@ void depth_images(const GlTable& gl) {
   }
 }
 
+// Depths as red [ARB_texture_rg], by each environment: texels and border, compared and not, nearest and linear.
+void red_depths(const GlTable& gl) {
+  start(gl);
+  gl.Color4f(0.25f, 0.5f, 0.75f, 0.5f);
+  const float border[] = {0.7f, 0.6f, 0.3f, 0.2f};
+  gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, border);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_DEPTH_TEXTURE_MODE, GL_RED);
+  const auto floats = ramp<GLfloat>(cell * cell, 0, 1);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, cell, cell, 0, GL_DEPTH_COMPONENT, GL_FLOAT, floats.data());
+  int index = 0;
+  for (const GLint mode : {GL_REPLACE, GL_MODULATE, GL_DECAL, GL_ADD, GL_BLEND}) {
+    gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, mode);
+    for (const GLint compare : {GL_NONE, GL_COMPARE_R_TO_TEXTURE}) {
+      gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, compare);
+      for (const GLint filter : {GL_NEAREST, GL_LINEAR}) {
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
+        gl.MatrixMode(GL_TEXTURE);
+        gl.LoadIdentity();
+        gl.Translatef(0, 0, 0.5f);
+        gl.MatrixMode(GL_MODELVIEW);
+        place(gl, index++, 1.21f);
+      }
+    }
+  }
+}
+
 // Blocks as they come: every bit of them random.
 void compressed(const GlTable& gl) {
   start(gl);
@@ -482,6 +510,8 @@ SceneList texture_image_scenes() {
        .shows = "Noise in the formats of 8 bits and more.", .draw = wide_formats},
       {.name = "tex_image_few_colors", .section = section,
        .shows = "Noise in red alone and in red and green, by five environments.", .judge = Judge::textures, .draw = few_colors},
+      {.name = "tex_image_red_depths", .section = section,
+       .shows = "A ramp of depths in red, by five environments.", .judge = Judge::textures, .draw = red_depths},
       {.name = "tex_image_base_formats", .section = section,
        .shows = "What eight base formats take from colours, by three environments.", .draw = base_formats},
       {.name = "tex_image_pixel_store", .section = section,

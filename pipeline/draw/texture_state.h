@@ -42,7 +42,7 @@ enum class TexelFilter : std::uint8_t { nearest, linear };
 enum class MipFilter : std::uint8_t { none, nearest, linear };
 enum class TextureTarget : std::uint8_t { one_d, two_d, three_d, cube_map, rectangle };
 /// What a depth texture's result becomes [GL1.5 §3.8.5].
-enum class DepthTextureMode : std::uint8_t { luminance, intensity, alpha };
+enum class DepthTextureMode : std::uint8_t { luminance, intensity, alpha, red };
 
 /// How a texture is sampled.
 struct SamplerState {

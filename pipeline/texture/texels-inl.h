@@ -156,12 +156,13 @@ struct Srgb8 {
   }
 };
 
-/// One stored channel to R, G, B, A.
+/// One stored channel to R, G, B, A. Of R, G, B it is R.
 HWY_INLINE TexelVector spread(FloatVector v, BaseFormat format) {
   const FloatTag d;
   switch (format) {
     case BaseFormat::alpha: return {{hn::Zero(d), hn::Zero(d), hn::Zero(d), v}};
     case BaseFormat::luminance: return {{v, v, v, hn::Set(d, 1.0f)}};
+    case BaseFormat::rgb: return {{v, hn::Zero(d), hn::Zero(d), hn::Set(d, 1.0f)}};
     default: break;
   }
   return {{v, v, v, v}};

@@ -94,6 +94,7 @@ BaseFormat texture_base_format(const TextureUnitState& unit) {
   switch (unit.sampler.depth_mode) {
     case DepthTextureMode::luminance: return BaseFormat::luminance;
     case DepthTextureMode::alpha: return BaseFormat::alpha;
+    case DepthTextureMode::red: return BaseFormat::rgb;
     case DepthTextureMode::intensity: break;
   }
   return BaseFormat::intensity;
