@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
+#include "pipeline/fragment/depth_base.h"
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/triangles.h"
 #include "pipeline/simd/dispatch.h"
@@ -56,7 +56,7 @@ class ListedBlocks {
       return;
     }
     const double base = plane_at(from, blocks_[n].x + double{target_.sample_x}, blocks_[n].y + double{target_.sample_y});
-    const double whole = std::nearbyint(base);
+    const double whole = whole_depth(from, base);
     const auto dy = static_cast<float>(from.dy);
     depth_[n] = {{static_cast<float>(base - whole), static_cast<float>(from.dx), dy}, 2.0f * dy,
                  static_cast<float>(from.minimum - whole), static_cast<float>(from.maximum - whole),

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/fragment/depth_base.h"
 #include "pipeline/raster/primitive.h"
 #include "pipeline/simd/dispatch.h"
 
@@ -28,11 +29,7 @@ class SteppedDepth {
  public:
   HWY_INLINE SteppedDepth(const DepthPlane& plane, const FragmentBlock& block, const TileTarget& target) {
     const double base = plane_at(plane, block.x + double{target.sample_x}, block.y + double{target.sample_y});
-    // Inside the block no covered lane is more than 14 * 65536 units from `base`: within reach of the magic. So is the
-    // nearer limit, where a polygon's offset took the plane far out of the range.
-    constexpr double reach = 1 << 20;
-    static_assert(reach >= 14 * 65536);
-    const double whole = std::nearbyint(std::clamp<double>(base, plane.minimum - reach, plane.maximum + reach));
+    const double whole = whole_depth(plane, base);
     whole_ = static_cast<std::int32_t>(whole) - rounding_bits;
     plane_ = {static_cast<float>(base - whole), static_cast<float>(plane.dx), static_cast<float>(plane.dy)};
     minimum_ = static_cast<float>(plane.minimum - whole);
