@@ -2,6 +2,9 @@
 //
 // The oracle judges: polygons by the samples' own places, lines as rectangles, points as discs. Mesa draws lines and points
 // otherwise, so that its pictures of those are reported only.
+#include <cmath>
+#include <numbers>
+
 #include "conformance/scenes/framebuffer_shapes.h"
 #include "conformance/scenes/scene_lists.h"
 #include "conformance/scenes/texture_shapes.h"
@@ -241,6 +244,28 @@ void samples_together(const GlTable& gl) {
   resolve(gl);
 }
 
+// Longer than a batch of vertices: nothing shows where it was cut, smooth without multisampling and sampled with it.
+template <bool multisampled>
+void resolved_long_polygons(const GlTable& gl) {
+  begin_samples(gl);
+  pixel_space(gl, 256, 256);
+  if (!multisampled) gl.Disable(GL_MULTISAMPLE);
+  gl.Enable(GL_POLYGON_SMOOTH);
+  gl.Enable(GL_BLEND);
+  gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  constexpr int corners = 2500;
+  for (int ring = 0; ring < 2; ++ring) {
+    gl.Begin(GL_POLYGON);
+    gl.Color4f(0.88f, ring == 0 ? 0.6f : 0.9f, 0.2f, 0.7f);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * std::numbers::pi * k / corners, radius = ring == 0 ? 119.3 : 61.7;
+      gl.Vertex2f(static_cast<float>(126.3 + radius * std::cos(angle)), static_cast<float>(129.1 + radius * std::sin(angle)));
+    }
+    gl.End();
+  }
+  resolve(gl);
+}
+
 // Bitmaps and images have all samples of their pixels; triangles beneath and above.
 void resolved_images(const GlTable& gl) {
   begin_samples(gl);
@@ -339,6 +364,8 @@ SceneList multisampling_scenes() {
       {.name = "fbo_alpha_to_one", .section = operations, .shows = "The same, glowing.", .judge = oracle, .draw = alpha_to_coverage<true>},
       {.name = "fbo_sample_coverage", .section = operations, .shows = "Two rows of triangles, paler and paler, and the other way.", .judge = oracle, .draw = sample_coverage},
       {.name = "fbo_samples_together", .section = samples, .shows = "Triangles, lines and points with jagged edges on the left, smooth ones on the right.", .judge = oracle, .draw = samples_together},
+      {.name = "fbo_smooth_polygons_long", .section = samples, .shows = "Two discs of 2500 corners with smooth edges, without a seam.", .judge = oracle, .draw = resolved_long_polygons<false>},
+      {.name = "fbo_sampled_polygons_long", .section = "§3.5.6", .shows = "The discs with sampled edges: smooth means nothing.", .judge = oracle, .draw = resolved_long_polygons<true>},
       {.name = "fbo_resolved_images", .section = samples, .shows = "Triangles, images and bitmaps over each other.", .judge = oracle, .draw = resolved_images},
       {.name = "fbo_resolved_parts", .section = samples, .shows = "Three parts of a ring, one turned around, one mirrored.", .judge = oracle, .draw = resolved_parts},
       {.name = "fbo_samples_to_samples", .section = samples, .shows = "Two rings through each other.", .judge = oracle, .draw = samples_to_samples},

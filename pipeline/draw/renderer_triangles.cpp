@@ -48,7 +48,7 @@ SharedVertices Renderer::Implementation::share_vertices(const PrimitiveRange& ra
 void Renderer::Implementation::draw_range_of_triangles(const PrimitiveRange& range) {
   const std::span<const AssembledTriangle> triangles = assembled.triangles;
   // Of a polygon that is longer than a batch, the rest is still to come.
-  const bool goes_on = range.mode == PrimitiveMode::polygon && !range.ends && bins.target()->samples == 1;
+  const bool goes_on = range.mode == PrimitiveMode::polygon && !range.ends && (bins.target()->samples == 1 || samples_at_once);
   if (triangles.empty()) return goes_on ? void() : finish_polygons();
   const bool plain = !unfilled && !setup->polygons.smooth;
   const SharedVertices of_range = plain ? share_vertices(range) : SharedVertices{};
@@ -92,6 +92,8 @@ void Renderer::Implementation::finish_polygons() {
 
 void Renderer::Implementation::add_smooth_polygon() {
   if (smooth_parts.empty()) return;
+  const std::int32_t selected_sample = bins.selected_sample();
+  if (samples_at_once) bins.select_sample(TileBins::all_samples);
   const auto count = static_cast<std::int32_t>(smooth_parts.size());
   if (count == 1) {
     bins.add_smooth(*smooth_parts[0]);
@@ -108,6 +110,7 @@ void Renderer::Implementation::add_smooth_polygon() {
     }
     bins.add_smooth(polygon);
   }
+  bins.select_sample(selected_sample);
   smooth_parts.clear();
 }
 
