@@ -444,6 +444,54 @@ TEST(Multisample, DisabledLinesAndPointsHaveAllSamplesOfTheirPixels) {
   for (int x = 0; x < side_px; ++x) EXPECT_EQ(red_at(x, 25), x >= 23 && x < 26 ? 255 : 0) << x;
 }
 
+/// A little of everything, smooth and jagged, blended.
+void draw_everything() {
+  glClearColor(0.1f, 0.2f, 0.3f, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  for (const bool smooth : {false, true}) {
+    for (const GLenum cap : {GL_POINT_SMOOTH, GL_LINE_SMOOTH, GL_POLYGON_SMOOTH}) smooth ? glEnable(cap) : glDisable(cap);
+    const float y = smooth ? 0.5f : -0.5f;
+    glPointSize(5.3f);
+    glLineWidth(2.7f);
+    glColor4f(0.9f, 0.3f, 0.2f, 0.7f);
+    glBegin(GL_POINTS);
+    glVertex2f(-0.7f, y);
+    glEnd();
+    glBegin(GL_POLYGON);
+    for (const auto& [dx, dy] : {std::array{-0.5f, -0.3f}, {0.1f, -0.35f}, {0.2f, 0.1f}, {-0.2f, 0.4f}}) glVertex2f(dx, y + dy);
+    glEnd();
+    glColor4f(0.2f, 0.9f, 0.6f, 0.8f);
+    glBegin(GL_LINES);
+    glVertex2f(-0.9f, y - 0.4f);
+    glVertex2f(0.9f, y + 0.3f);
+    glEnd();
+    glEnable(GL_LINE_STIPPLE);
+    glLineStipple(1, 0x5AF0);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
+    glRectf(0.3f, y - 0.3f, 0.9f, y + 0.2f);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_LINE_STIPPLE);
+  }
+  const std::uint8_t bits[4] = {0xB7, 0, 0, 0}, texels[2][4] = {{255, 0, 0, 64}, {0, 255, 0, 191}};
+  glRasterPos2f(0.2f, 0.9f);
+  glBitmap(8, 1, 0, 0, 0, 0, bits);
+  glDrawPixels(2, 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+  glDisable(GL_BLEND);
+}
+
+TEST(Multisample, DisabledThePictureIsThatOfOneSample) {
+  Screen screen;
+  draw_everything();
+  const auto expected = screen.pixels();
+  multisampled();
+  glDisable(GL_MULTISAMPLE);
+  draw_everything();
+  resolve();
+  EXPECT_TRUE(screen.pixels() == expected);
+}
+
 TEST(Multisample, SampleCoverageLeavesSomeSamplesOfLinesPointsAndBitmaps) {
   const Screen screen;
   multisampled();
