@@ -1,8 +1,9 @@
 // Completeness and views of framebuffer objects [ARB_framebuffer_object, "Framebuffer Completeness"].
 //
 // choice: depth and stencil of different pictures are GL_FRAMEBUFFER_UNSUPPORTED, as in Mesa: a packed plane holds both.
-// A draw or read buffer without a picture makes a framebuffer incomplete: programs that only want depth choose GL_NONE.
-// Mesa lets it pass, since it has ARB_ES2_compatibility, which takes this rule back.
+// deviation: a draw or read buffer without a picture does not make a framebuffer incomplete, as the extension has it: Mesa
+// (by ARB_ES2_compatibility) lets it pass, and programs that only want depth, or draw into one buffer and never read, rely on it. Nothing is drawn then, and to
+// read is GL_INVALID_OPERATION.
 #include "api/context/framebuffer_objects.h"
 
 #include <algorithm>
@@ -40,12 +41,6 @@ bool attachments_complete(const FramebufferObject& framebuffer) {
          is_complete(framebuffer.stencil, [](const Surface& s) { return s.has_stencil; });
 }
 
-/// Of a draw or read buffer: false if it names an attachment point where nothing is.
-bool has_picture(const FramebufferObject& framebuffer, GLenum buffer) {
-  const Attachment* const attachment = framebuffer.color_attachment(buffer);
-  return attachment == nullptr || attachment->object_type() != GL_NONE;
-}
-
 }  // namespace
 
 const Attachment* FramebufferObject::color_attachment(GLenum buffer) const {
@@ -69,8 +64,6 @@ GLenum completeness(const FramebufferObject& framebuffer) {
     any = true;
   });
   if (!any) return GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT;
-  if (!has_picture(framebuffer, framebuffer.draw_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER;
-  if (!has_picture(framebuffer, framebuffer.read_buffer)) return GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER;
   if (!same_samples) return GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE;
   const bool both = framebuffer.depth.object_type() != GL_NONE && framebuffer.stencil.object_type() != GL_NONE;
   if (both && framebuffer.depth != framebuffer.stencil) return GL_FRAMEBUFFER_UNSUPPORTED;
