@@ -2,8 +2,8 @@
 //
 // choice: depth and stencil of different pictures are GL_FRAMEBUFFER_UNSUPPORTED, as in Mesa: a packed plane holds both.
 // deviation: a draw or read buffer without a picture does not make a framebuffer incomplete, as the extension has it: Mesa
-// (by ARB_ES2_compatibility) lets it pass, and programs that only want depth, or draw into one buffer and never read, rely on it. Nothing is drawn then, and to
-// read is GL_INVALID_OPERATION.
+// (by ARB_ES2_compatibility) lets it pass, and programs that only want depth, or draw into one buffer and never read,
+// rely on it. Nothing is drawn then, and to read is GL_INVALID_OPERATION.
 #include "api/context/framebuffer_objects.h"
 
 #include <algorithm>
