@@ -99,6 +99,11 @@ class Interpolation {
     return shade(sink_, primary, shares, nullptr, in_range);
   }
 
+  /// Where 1/w is not positive the plane has no values.
+  bool is_beyond_horizon(const Vector3& weight) const {
+    return weight[0] * vertices_[0].w_inverse + weight[1] * vertices_[1].w_inverse + weight[2] * vertices_[2].w_inverse <= 0;
+  }
+
   bool is_textured() const { return sink_.texturing.count > 0; }
 
   double fog_coordinate(const Vector3& weight) const {
@@ -159,6 +164,16 @@ void bound_depth(const Interpolation& values, int subpixel_bits, double x, doubl
   fragment.depth_highest = values.highest_depth();
 }
 
+/// Widens the bounds of the colour by all that the triangle has: textures have some that the corners do not have.
+void include_all(const Interpolation& values, Fragment& fragment) {
+  const int steps = values.is_textured() ? 12 : 1;
+  for (int i = 0; i <= steps; ++i) {
+    for (int j = 0; i + j <= steps; ++j) {
+      include_color(values.shaded({1.0 * i / steps, 1.0 * j / steps, 1.0 * (steps - i - j) / steps}), fragment);
+    }
+  }
+}
+
 /// Widens the fragment's bounds by the values that the triangle has within half a sub-pixel; if those are not resolved,
 /// by all values of the triangle (PixelFlags).
 void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragment& fragment) {
@@ -177,11 +192,9 @@ void bound_extrapolation(const Interpolation& values, int subpixel_bits, Fragmen
   bool is_resolved = values.has_area();
   for (std::size_t i = 0; i < 4; ++i) is_resolved &= fragment.color_highest[i] - fragment.color_lowest[i] < resolved;
   if (is_resolved) return;
-  // Textures have colours in between that the corners do not have.
-  const int steps = values.is_textured() ? 12 : 1;
-  for (int i = 0; i <= steps; ++i) {
-    for (int j = 0; i + j <= steps; ++j) include({1.0 * i / steps, 1.0 * j / steps, 1.0 * (steps - i - j) / steps});
-  }
+  include_all(values, fragment);
+  fragment.depth_lowest = std::min(fragment.depth_lowest, values.lowest_depth());
+  fragment.depth_highest = std::max(fragment.depth_highest, values.highest_depth());
 }
 
 /// Barycentric coordinates of samples inside err by less.
@@ -226,7 +239,7 @@ void make_fragment(const FragmentSink& sink, const Interpolation& values, int x,
 
 /// Data of all samples at once may be those of any place in the pixel [GL1.5 §3.5.6]. Where the pixel's centre is inside
 /// the triangle they are those of the centre; else any that the triangle has in the pixel, or the centre's, kept in the
-/// range of the vertices.
+/// range of the vertices: any in that range, if the centre lies beyond the horizon.
 Fragment shaded_once(const FragmentSink& sink, const std::array<WindowVertex, 3>& vertices, const Interpolation& values, int x, int y) {
   const Vector3 center = values.barycentric(x + 0.5, y + 0.5);
   Fragment fragment;
@@ -260,9 +273,7 @@ Fragment shaded_once(const FragmentSink& sink, const std::array<WindowVertex, 3>
       }
     }
   }
-  if (shared.empty() || !values.has_area()) {
-    for (const Vector3& corner : {Vector3{1, 0, 0}, Vector3{0, 1, 0}, Vector3{0, 0, 1}}) include(corner, false);
-  }
+  if (shared.empty() || !values.has_area() || values.is_beyond_horizon(center)) include_all(values, fragment);
   return fragment;
 }
 
