@@ -162,7 +162,7 @@ Plot plot_of(const std::string& title, const std::vector<Point>& points, Axis ax
     series.points.emplace_back(point.time, point.error);
     series.labels.push_back(point.name);
   }
-  for (PlotSeries* series : {&ours, &mesa, &methods}) plot.series.push_back(*series);
+  for (PlotSeries* series : {&methods, &mesa, &ours}) plot.series.push_back(*series);
   return plot;
 }
 
