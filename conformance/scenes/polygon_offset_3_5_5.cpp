@@ -1,6 +1,7 @@
 // Polygon offset. [GL1.5 §3.5.5]
-// deviation: r is one step of the depth buffer, the least that the specification allows (Mesa: two). Offsets of lines and
-// points are for lines and points alone (Mesa applies them to filled polygons as well), and depths are clamped by fragment.
+// r is two steps of the depth buffer, as in Mesa; the least that the specification allows is one.
+// deviation: offsets of lines and points are for lines and points alone (Mesa applies them to filled polygons as well), and
+// depths are clamped by fragment.
 #include <cstring>
 
 #include "conformance/scenes/scene_lists.h"
