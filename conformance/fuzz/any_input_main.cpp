@@ -165,7 +165,8 @@ class Caller {
     const bool numbers = contains(command, "Draw") || name == "count" || name == "first" || begins(command, "Delete") || begins(command, "CallLists");
     const bool images = contains(command, "Image") || contains(command, "DrawPixels") || contains(command, "Bitmap");
     if (numbers && !images) return memory_.numbers + 4 * random_.below(64);
-    return memory_.anything + (chance(3) ? random_.below(64) : 4 * random_.below(64));
+    const bool untyped = images || contains(command, "Pointer") || contains(command, "BufferData") || contains(command, "BufferSubData") || command == "CallLists";
+    return memory_.anything + (untyped && chance(3) ? random_.below(64) : 8 * random_.below(64));
   }
 
   /// The buffer object that is bound there makes an offset of it.
