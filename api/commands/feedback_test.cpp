@@ -286,5 +286,59 @@ TEST_F(Feedback, SurvivesBadNumbers) {
   for (const GLfloat value : values) EXPECT_TRUE(std::isfinite(value));
 }
 
+/// The same elements one by one, by indices, and from a list, which keeps equal vertices once.
+void expect_the_same_by_indices(GLenum mode, const std::vector<std::array<GLfloat, 3>>& vertices, const std::vector<GLuint>& indices) {
+  const auto one_by_one = [&] {
+    glBegin(mode);
+    for (const GLuint index : indices) glEdgeFlag(index % 3 != 0), glVertex3fv(vertices[index].data());
+    glEnd();
+  };
+  const std::vector<GLboolean> flags = [&] {
+    std::vector<GLboolean> result;
+    for (std::size_t i = 0; i < vertices.size(); ++i) result.push_back(i % 3 != 0);
+    return result;
+  }();
+  const auto by_indices = [&] {
+    glVertexPointer(3, GL_FLOAT, 0, vertices.data());
+    glEdgeFlagPointer(0, flags.data());
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glEnableClientState(GL_EDGE_FLAG_ARRAY);
+    glDrawElements(mode, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, indices.data());
+  };
+  glNewList(1, GL_COMPILE);
+  one_by_one();
+  glEndList();
+  const Values expected = feed_back(GL_3D, one_by_one);
+  EXPECT_EQ(feed_back(GL_3D, by_indices), expected) << mode;
+  EXPECT_EQ(feed_back(GL_3D, [] { glCallList(1); }), expected) << mode;
+}
+
+TEST_F(Feedback, VerticesThatSeveralIndicesNameAreReportedInTheirOrder) {
+  std::vector<std::array<GLfloat, 3>> vertices;
+  for (int i = 0; i < 9; ++i) {  // one of them outside
+    const double angle = 0.7 * i;
+    vertices.push_back({static_cast<GLfloat>(4 + 2 * std::cos(angle)), static_cast<GLfloat>(4 + 2 * std::sin(angle)), i == 4 ? 2.0f : 0.1f * static_cast<GLfloat>(i)});
+  }
+  const std::vector<GLuint> indices{7, 2, 5, 2, 0, 7, 8, 4, 2, 5, 6, 1};
+  for (const GLenum mode : {GL_FILL, GL_LINE, GL_POINT}) {
+    glPolygonMode(GL_FRONT_AND_BACK, mode);
+    for (GLenum primitive = GL_POINTS; primitive <= GL_POLYGON; ++primitive) expect_the_same_by_indices(primitive, vertices, indices);
+  }
+}
+
+TEST_F(Feedback, ALongPolygonOfFewVerticesIsClippedInItsRoom) {
+  std::vector<std::array<GLfloat, 3>> vertices{{1, 1, 0}, {20, 2, 0}, {3, -9, 0.5f}, {-20, 4, -3}, {5, 20, 3}};
+  std::vector<GLuint> indices;
+  for (GLuint i = 0; i < 7000; ++i) indices.push_back(i * i % 5);
+  glVertexPointer(3, GL_FLOAT, 0, vertices.data());
+  glEnableClientState(GL_VERTEX_ARRAY);
+  std::vector<GLfloat> buffer(100'000);
+  glFeedbackBuffer(static_cast<GLsizei>(buffer.size()), GL_2D, buffer.data());
+  glRenderMode(GL_FEEDBACK);
+  glDrawElements(GL_POLYGON, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, indices.data());
+  EXPECT_GE(glRenderMode(GL_RENDER), 0);
+  EXPECT_EQ(glGetError(), no_error);
+}
+
 }  // namespace
 }  // namespace gouraud::api

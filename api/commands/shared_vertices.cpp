@@ -4,6 +4,8 @@
 
 #include <utility>
 
+#include "api/commands/render_mode.h"
+
 namespace gouraud::api {
 namespace {
 
@@ -11,6 +13,8 @@ using pipeline::PrimitiveMode;
 
 /// Indices that one range of a primitive may have: their numbers fit 16 bits, and what is assembled of them stays small.
 constexpr std::size_t most_indices = 8192;
+/// In feedback and selection a polygon is clipped as a whole, and clipping needs room.
+constexpr std::size_t most_indices_reported = pipeline::batch_capacity;
 
 }  // namespace
 
@@ -22,7 +26,7 @@ SharedVertices::SharedVertices(Context& context, Append append)
 bool SharedVertices::is_full() const {
   const pipeline::VertexBatch& batch = context_.immediate.batch;
   const auto indices = batch.elements.size() - static_cast<std::size_t>(batch.primitives.back().first);
-  return batch.count + static_cast<std::int32_t>(fresh_count_) + multiple_ > pipeline::batch_capacity || indices >= most_indices;
+  return batch.count + static_cast<std::int32_t>(fresh_count_) + multiple_ > pipeline::batch_capacity || indices >= (renders_nothing(context_) ? most_indices_reported : most_indices);
 }
 
 inline void SharedVertices::add_one(GLuint element) {

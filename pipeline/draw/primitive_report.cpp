@@ -25,11 +25,13 @@ class Reporter {
         two_sided_(plan.lighting && state.lighting.two_sided),
         flat_(state.assembly.shade_model == ShadeModel::flat),
         attributes_{plan.eye_positions, plan.colors, two_sided_, false, varyings.of_vertices(), &state.clip_planes},
-        edge_flag_((plan.vertex_demand & attribute_edge_flag) != 0 ? batch.edge_flag.data() : nullptr) {}
+        edge_flag_((plan.vertex_demand & attribute_edge_flag) != 0 ? batch.edge_flag.data() : nullptr),
+        elements_(batch.elements.data()) {}
 
   void report(const PrimitiveRange& range) {
     assembled_ = {};
     if (outline_count(range) == 0) assemble(range, {}, assembled_);
+    if (range.indexed) resolve_elements(elements_ + range.first, assembled_);
     for (const AssembledPoint& point : assembled_.points) {
       if (vertices_.outcode[point.vertex] == 0) receiver_.point(vertex(point.vertex, point.vertex, false));
     }
@@ -39,7 +41,7 @@ class Reporter {
       starts = range.mode == PrimitiveMode::lines;
     }
     for (std::int32_t i = 0; i < outline_count(range); ++i) {
-      make_outline(range, i, edge_flag_, outline_);
+      make_outline(range, i, edge_flag_, elements_, outline_);
       report_outline();
       vertices_.count = count_;
     }
@@ -108,6 +110,7 @@ class Reporter {
   const bool two_sided_, flat_;
   const ClipAttributes attributes_;
   const std::uint8_t* const edge_flag_;
+  const std::uint16_t* const elements_;
   AssembledPrimitives assembled_;
   Outline outline_;
   std::vector<ReportedVertex> polygon_;

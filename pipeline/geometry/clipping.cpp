@@ -250,7 +250,10 @@ bool clip_outline(Outline& outline, const ViewportState& viewport, const ClipAtt
     any |= outcode;
     all &= outcode;
   }
-  bool left = all == 0 && (any == 0 || clip_polygon(any, attributes, processed_stride, vertices, outline));
+  // Each new vertex makes the outline longer by one at most.
+  const auto room = static_cast<std::int32_t>(Outline::capacity - outline.size);
+  const std::int32_t room_end = std::min(processed_stride, count + room);
+  bool left = all == 0 && (any == 0 || clip_polygon(any, attributes, room_end, vertices, outline));
   for (std::size_t i = 0; left && i < outline.size; ++i) {
     if (outline.vertex[i] >= count) left = project_vertex(viewport, vertices, outline.vertex[i]);
   }

@@ -41,12 +41,14 @@ std::int32_t outline_count(const PrimitiveRange& range) {
   }
 }
 
-void make_outline(const PrimitiveRange& range, std::int32_t number, const std::uint8_t* edge_flag, Outline& out) {
+void make_outline(const PrimitiveRange& range, std::int32_t number, const std::uint8_t* edge_flag, const std::uint16_t* elements,
+                  Outline& out) {
   out.size = 0;
+  const auto vertex = [&](std::int32_t i) { return range.indexed ? elements[i] : static_cast<std::uint16_t>(i); };
   const std::int32_t first = range.first + number * step(range.mode);
-  const auto flagged = [edge_flag](std::int32_t i) { return edge_flag == nullptr || edge_flag[i] != 0; };
+  const auto flagged = [&](std::int32_t i) { return edge_flag == nullptr || edge_flag[vertex(i)] != 0; };
   const auto take = [&](std::initializer_list<std::int32_t> vertices) {
-    for (const std::int32_t i : vertices) out.add(static_cast<std::uint16_t>(i), true);
+    for (const std::int32_t i : vertices) out.add(vertex(i), true);
   };
   std::int32_t provoking = first;
   switch (range.mode) {
@@ -67,17 +69,17 @@ void make_outline(const PrimitiveRange& range, std::int32_t number, const std::u
     case PrimitiveMode::polygon:  // the edges to and from the first vertex are cuts where the polygon goes on
       for (std::int32_t i = 0; i < range.count; ++i) {
         const bool cut = (i == 0 && !range.begins) || (i == range.count - 1 && !range.ends);
-        out.add(static_cast<std::uint16_t>(first + i), !cut && flagged(first + i));
+        out.add(vertex(first + i), !cut && flagged(first + i));
       }
       break;
     default: {
       const std::int32_t size = step(range.mode);
-      for (std::int32_t i = first; i < first + size; ++i) out.add(static_cast<std::uint16_t>(i), flagged(i));
+      for (std::int32_t i = first; i < first + size; ++i) out.add(vertex(i), flagged(i));
       provoking = first + size - 1;
       break;
     }
   }
-  out.provoking = static_cast<std::uint16_t>(provoking);
+  out.provoking = vertex(provoking);
 }
 
 }  // namespace gouraud::pipeline

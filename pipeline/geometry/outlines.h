@@ -28,7 +28,9 @@ struct Outline {
 std::int32_t outline_count(const PrimitiveRange& range);
 
 /// The `number`th of them. choice: of a polygon longer than a batch each range makes a polygon of its own.
-/// `edge_flag`: by vertex, of separate triangles, quads and polygons; null: all are set [GL1.5 §2.6.2].
-void make_outline(const PrimitiveRange& range, std::int32_t number, const std::uint8_t* edge_flag, Outline& out);
+/// `edge_flag`: by vertex, of separate triangles, quads and polygons; null: all are set [GL1.5 §2.6.2]. `elements`: the batch's,
+/// for an indexed range. A range has at most batch_capacity vertices, give or take those of one primitive.
+void make_outline(const PrimitiveRange& range, std::int32_t number, const std::uint8_t* edge_flag, const std::uint16_t* elements,
+                  Outline& out);
 
 }  // namespace gouraud::pipeline
