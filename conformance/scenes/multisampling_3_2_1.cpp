@@ -2,8 +2,6 @@
 //
 // The oracle judges: polygons by the samples' own places, lines as rectangles, points as discs. Mesa draws lines and points
 // otherwise, so that its pictures of those are reported only.
-#include <cmath>
-#include <numbers>
 
 #include "conformance/scenes/framebuffer_shapes.h"
 #include "conformance/scenes/scene_lists.h"
@@ -253,16 +251,7 @@ void resolved_long_polygons(const GlTable& gl) {
   gl.Enable(GL_POLYGON_SMOOTH);
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-  constexpr int corners = 2500;
-  for (int ring = 0; ring < 2; ++ring) {
-    gl.Begin(GL_POLYGON);
-    gl.Color4f(0.88f, ring == 0 ? 0.6f : 0.9f, 0.2f, 0.7f);
-    for (int k = 0; k < corners; ++k) {
-      const double angle = 2 * std::numbers::pi * k / corners, radius = ring == 0 ? 119.3 : 61.7;
-      gl.Vertex2f(static_cast<float>(126.3 + radius * std::cos(angle)), static_cast<float>(129.1 + radius * std::sin(angle)));
-    }
-    gl.End();
-  }
+  polygon_rings(gl, 2500);
   resolve(gl);
 }
 

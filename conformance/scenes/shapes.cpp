@@ -272,4 +272,16 @@ void black_lighting(const GlTable& gl, int lights) {
   gl.Enable(GL_LIGHTING);
 }
 
+void polygon_rings(const GlTable& gl, int corners) {
+  for (int ring = 0; ring < 2; ++ring) {
+    gl.Begin(GL_POLYGON);
+    gl.Color4f(0.88f, ring == 0 ? 0.6f : 0.9f, 0.2f, 0.7f);
+    for (int k = 0; k < corners; ++k) {
+      const double angle = 2 * pi * k / corners, radius = ring == 0 ? 119.3 : 61.7;
+      gl.Vertex2f(static_cast<float>(126.3 + radius * std::cos(angle)), static_cast<float>(129.1 + radius * std::sin(angle)));
+    }
+    gl.End();
+  }
+}
+
 }  // namespace gouraud::conformance

@@ -108,4 +108,7 @@ void material(const GlTable& gl, GLenum face, GLenum pname, const Four& value);
 /// lights: a scene adds the terms it shows.
 void black_lighting(const GlTable& gl, int lights);
 
+/// Two polygons of so many corners, one in the other, in a space of 256 x 256 pixels.
+void polygon_rings(const GlTable& gl, int corners);
+
 }  // namespace gouraud::conformance

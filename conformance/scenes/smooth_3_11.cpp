@@ -164,15 +164,7 @@ void whole_polygons_as_alpha(const GlTable& gl) {
 // Longer than a batch of vertices: nothing shows where it was cut.
 void long_polygons(const GlTable& gl, int corners) {
   smooth(gl, GL_POLYGON_SMOOTH);
-  for (int ring = 0; ring < 2; ++ring) {
-    gl.Begin(GL_POLYGON);
-    gl.Color4f(0.88f, ring == 0 ? 0.6f : 0.9f, 0.2f, 0.7f);
-    for (int k = 0; k < corners; ++k) {
-      const double angle = 2 * std::numbers::pi * k / corners, radius = ring == 0 ? 119.3 : 61.7;
-      gl.Vertex2f(static_cast<float>(126.3 + radius * std::cos(angle)), static_cast<float>(129.1 + radius * std::sin(angle)));
-    }
-    gl.End();
-  }
+  polygon_rings(gl, corners);
 }
 void polygons_longer_than_a_batch(const GlTable& gl) {
   long_polygons(gl, 2500);

@@ -6,8 +6,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 
-#include "pipeline/fragment/depth_base.h"
 #include "pipeline/raster/polygons.h"
 #include "pipeline/raster/triangles.h"
 #include "pipeline/simd/dispatch.h"
@@ -18,6 +18,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/block_depth-inl.h"
 #include "pipeline/fragment/depth_formats-inl.h"
 #include "pipeline/fragment/depth_pairs-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
@@ -55,12 +56,7 @@ class ListedBlocks {
       depth_[n] = {};
       return;
     }
-    const double base = plane_at(from, blocks_[n].x + double{target_.sample_x}, blocks_[n].y + double{target_.sample_y});
-    const double whole = whole_depth(from, base);
-    const auto dy = static_cast<float>(from.dy);
-    depth_[n] = {{static_cast<float>(base - whole), static_cast<float>(from.dx), dy}, 2.0f * dy,
-                 static_cast<float>(from.minimum - whole), static_cast<float>(from.maximum - whole),
-                 static_cast<std::int32_t>(whole) - rounding_bits};
+    depth_[n] = depth_of_block(from, blocks_[n].x + double{target_.sample_x}, blocks_[n].y + double{target_.sample_y});
   }
 
   const TriangleGroup& group_;

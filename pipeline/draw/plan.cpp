@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <string_view>
 
+#include "pipeline/draw/group_depth.h"
 #include "pipeline/draw/phong_shading.h"
 #include "pipeline/draw/plan_textures.h"
-#include "pipeline/draw/group_depth.h"
 #include "pipeline/draw/small_triangles.h"
 #include "pipeline/draw/varying_layout.h"
 #include "pipeline/fragment/alpha.h"

@@ -69,7 +69,7 @@ struct Places {
   IV column, row, right, up;
 };
 
-/// The pixels in the four blocks: see cut_mask in polygons.cpp. Blocks outside the tile get none.
+/// The pixels in the four blocks: see send_cut in polygons.cpp. Blocks outside the tile get none.
 HWY_INLINE void cut_masks(UV mask, const Places& at, std::uint64_t* coverage) {
   const UV right = widened_int(at.right), up = hn::ShiftLeft<3>(widened_int(at.up));
   const UV eight = hn::Set(U(), 8);
@@ -94,7 +94,7 @@ HWY_INLINE void cut_masks(UV mask, const Places& at, std::uint64_t* coverage) {
                         hn::And(hn::ShiftRight<8>(hn::Shr(next, down)), row_1), U(), coverage);
 }
 
-/// Depth at the first pixel of the four blocks: an integer and a float offset from it, as in depth.cpp.
+/// Depth at the first pixel of the four blocks: as depth_of_block (block_depth-inl.h), a triangle a lane.
 HWY_INLINE void begin_blocks(const Places& at, std::int32_t tile_x, std::int32_t tile_y, DepthPlace sample, std::size_t first, SmallGroup& out) {
   const D d;
   const F f;

@@ -1,13 +1,11 @@
 // Takes a block and its primitive's depth plane, gives the block without the fragments that fail [GL1.5 §4.1.6].
 //
-// Depth is an integer at the block's first pixel plus a small float offset, rounded once: float steps alone could not
-// hold 24 bits. Primitives steeper than 65536 units a pixel, slivers mostly, are evaluated in double.
+// Depth is an integer and a small float offset (block_depth-inl.h). Primitives steeper than 65536 units a pixel, slivers mostly, are evaluated in double.
 #include "pipeline/fragment/depth.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "pipeline/fragment/depth_base.h"
 #include "pipeline/raster/primitive.h"
 #include "pipeline/simd/dispatch.h"
 
@@ -17,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include "pipeline/fragment/block_depth-inl.h"
 #include "pipeline/fragment/depth_formats-inl.h"
 #include "pipeline/fragment/image_colors-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
@@ -24,29 +23,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
 
-/// Depths of a block in buffer units, row pair by row pair: an integer plus a float offset from it.
+/// Depths of a block in buffer units, row pair by row pair.
 class SteppedDepth {
  public:
-  HWY_INLINE SteppedDepth(const DepthPlane& plane, const FragmentBlock& block, const TileTarget& target) {
-    const double base = plane_at(plane, block.x + double{target.sample_x}, block.y + double{target.sample_y});
-    const double whole = whole_depth(plane, base);
-    whole_ = static_cast<std::int32_t>(whole) - rounding_bits;
-    plane_ = {static_cast<float>(base - whole), static_cast<float>(plane.dx), static_cast<float>(plane.dy)};
-    minimum_ = static_cast<float>(plane.minimum - whole);
-    maximum_ = static_cast<float>(plane.maximum - whole);
-  }
-  HWY_INLINE FloatVector first(std::size_t offset) const { return first_pair(plane_, offset); }
-  HWY_INLINE FloatVector next(FloatVector part) const { return hn::Add(part, pair_step(plane_)); }
-  HWY_INLINE IntVector at(FloatVector part, std::size_t) const {
-    const FloatTag d;
-    const FloatVector clamped = clamp_lanes(part, hn::Set(d, minimum_), hn::Set(d, maximum_));
-    return hn::Add(bits_after_adding(rounding_magic, clamped), hn::Set(IntTag(), whole_));
-  }
+  HWY_INLINE SteppedDepth(const DepthPlane& plane, const FragmentBlock& block, const TileTarget& target)
+      : depth_(depth_of_block(plane, block.x + double{target.sample_x}, block.y + double{target.sample_y})) {}
+  HWY_INLINE FloatVector first(std::size_t offset) const { return first_pair(depth_.part, offset); }
+  HWY_INLINE FloatVector next(FloatVector part) const { return hn::Add(part, hn::Set(FloatTag(), depth_.step)); }
+  HWY_INLINE IntVector at(FloatVector part, std::size_t) const { return depth_at(depth_, part); }
 
  private:
-  std::int32_t whole_;  ///< less rounding_bits
-  BlockPlane plane_;
-  float minimum_, maximum_;
+  BlockDepth depth_;
 };
 
 /// Depths of a block, each lane from the plane in double: for steep planes and float buffers; or from an image.

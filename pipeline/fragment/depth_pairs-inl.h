@@ -16,20 +16,13 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "pipeline/fragment/block_depth-inl.h"
 #include "pipeline/fragment/depth_formats-inl.h"
 #include "pipeline/raster/interpolation-inl.h"
 #include "pipeline/raster/primitive.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace gouraud::pipeline::HWY_NAMESPACE {
-
-/// Depths of a block in units of the buffer: an integer and a float offset from it, as in depth.cpp.
-struct BlockDepth {
-  BlockPlane part;         ///< base is at the block's first pixel, less the integer
-  float step;              ///< from one row pair to the next
-  float minimum, maximum;  ///< less the integer
-  std::int32_t whole;      ///< less rounding_bits
-};
 
 /// Depths of a row pair whose first pixel is (x, y), each from the plane in double.
 HWY_INLINE void exact_pair(const DepthPlane& plane, double x, double y, std::int32_t* depth) {
@@ -65,8 +58,7 @@ HWY_INLINE void test_pairs(const Blocks& blocks, std::uint64_t bits, bool write,
     for (std::size_t offset = 0; offset < pair_lanes; offset += hn::Lanes(di)) {
       FloatVector part = first_pair(depth.part, offset);
       for (std::size_t p = 0; p + 1 < row_pairs; ++p) part = hn::Add(part, hn::Set(df, steps[pair > p ? 1 : 0]));
-      const FloatVector clamped = clamp_lanes(part, hn::Set(df, depth.minimum), hn::Set(df, depth.maximum));
-      IntVector z = hn::Add(bits_after_adding(rounding_magic, clamped), hn::Set(di, depth.whole));
+      IntVector z = depth_at(depth, part);
       if (HWY_UNLIKELY(steep)) z = hn::Load(di, exact + offset);
       const auto stored = Format::load(first + offset);
       const auto passes = hn::And(Func::test(z, Format::depth(stored)), mask_of(di, lane_bits(covered, offset)));

@@ -65,6 +65,7 @@ struct SmallTriangleTests {
 /// Early passes of a group at once (draw/group_depth.h): leaves of the blocks that it covers those that are seen, in order, and
 /// returns their number.
 using GroupDepthTest = std::size_t (*)(const TriangleGroup& group, SeenBlock* blocks, std::size_t count, const TileTarget& target);
+
 /// The fragment passes of a plan, in order. A block that has lost all its fragments goes no further.
 struct FragmentPasses {
   static constexpr int max_passes = 16;

@@ -270,7 +270,7 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace gouraud::pipeline {
-static_assert(most_seen_blocks == group_capacity * blocks_per_tile_row * blocks_per_tile_row + 4);
+static_assert(most_seen_blocks == group_capacity * blocks_per_tile_row * blocks_per_tile_row + 1);
 
 PolygonRasterizer polygon_rasterizer() { return GOURAUD_SIMD_PICK(rasterize); }
 GroupRasterizer group_rasterizer() { return GOURAUD_SIMD_PICK(rasterize_group); }

@@ -25,8 +25,8 @@ struct SeenBlock {
   bool operator==(const SeenBlock&) const = default;
 };
 struct TriangleGroup;  // pipeline/raster/triangles.h
-/// Most blocks of a group in a tile, and room to write some more that turn out not to count.
-inline constexpr std::size_t most_seen_blocks = std::size_t{8} * 64 + 4;
+/// Most blocks of a group in a tile, and room to write one more that turns out not to count.
+inline constexpr std::size_t most_seen_blocks = std::size_t{8} * 64 + 1;
 
 /// Lists the blocks that triangles whose depths are set up cover, in order. Returns the number of blocks.
 using GroupRasterizer = std::size_t (*)(const TriangleGroup& group, std::int32_t tile_x, std::int32_t tile_y, SeenBlock* found);

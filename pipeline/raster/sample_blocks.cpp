@@ -127,7 +127,7 @@ std::size_t find_blocks(const PrimitiveRecord& primitive, std::int32_t tile_x, s
   return count;
 }
 
-/// As cut_mask in polygons.cpp, a sample a lane.
+/// As send_cut in polygons.cpp, a sample a lane.
 std::size_t cut_masks(const std::array<std::uint64_t, max_samples>& masks, std::int32_t x, std::int32_t y, std::int32_t tile_x,
                       std::int32_t tile_y, SampleBlock* out) {
   const hn::CappedTag<std::uint64_t, max_samples> d;
